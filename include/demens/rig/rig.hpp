@@ -1,0 +1,112 @@
+#pragma once
+
+#include "demens/base/options.hpp"
+#include "demens/contact/model.hpp"
+#include "demens/shape/size_distribution.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace demens::rig {
+
+//! How a run ended. Everything but `finished` keeps the run out of fits.
+enum class RunStatus {
+    not_run = 0,
+    finished = 1,
+    not_a_number = 2, //!< a position or force became NaN or infinite
+    escaped = 3,      //!< particles left the domain
+    overlapping = 4,  //!< overlap beyond the limit
+    timed_out = 5,    //!< simulated or wall time ran out before the end criterion
+    error = 6,        //!< any other reason; see the reason text
+    quarantined = 7   //!< begun twice and never ended
+};
+char const* name_of(RunStatus status);
+
+//! A scalar that a rig measures.
+struct ResponseInfo
+{
+    std::string name;  //!< key in a campaign file; carries the unit
+    std::string units; //!< for the `units` attribute
+    std::string doc;   //!< one line
+};
+
+//! Columns over time, sampled while a run goes on.
+struct Series
+{
+    std::vector<std::string> names, units;    //!< one per column; the first column is the time [s]
+    std::vector<std::vector<double>> columns; //!< equally long
+};
+
+//! Particles at one moment, for pictures and files.
+struct Snapshot
+{
+    std::string name; //!< "settled", "final", ...
+    double time = 0;  //!< [s]
+    std::vector<double> x, y, z, radius;    //!< [m]
+    std::vector<double> vx, vy, vz;         //!< [m/s]
+    std::vector<double> wx, wy, wz;         //!< [rad/s]
+    std::vector<std::array<double, 6>> walls; //!< axis-aligned wall outlines (x0, y0, z0, x1, y1, z1) [m]
+};
+
+//! What a rig gives back; always complete, also when the run failed.
+struct RunResult
+{
+    RunStatus status = RunStatus::not_run;
+    std::string reason;            //!< why it did not finish; empty when it did
+    std::vector<double> responses; //!< in the order of the rig's `responses`; NaN where not reached
+    Series series;
+    std::vector<Snapshot> snapshots; //!< the rig's few landmarks
+    double simulated_time = 0;       //!< [s]
+    std::int64_t steps = 0;
+    std::int64_t particles = 0;
+};
+
+//! Everything that determines one run's result.
+struct RunInput
+{
+    contact::Model model;
+    std::map<std::string, shape::SizeDistribution> size_distributions;
+    OptionValues experiment; //!< checked values of the rig's options
+    std::uint64_t seed = 0;
+};
+
+//! What the caller wants while a run goes on; nothing here changes the result.
+struct RunHooks
+{
+    std::function<void(Snapshot const&)> on_frame = {}; //!< called every `frame_interval` of simulated time
+    double frame_interval = 0;                          //!< [s]; 0: never
+    std::function<bool()> should_stop = {};             //!< polled about once a second; true ends the run early
+    double wall_time_limit = 0;                         //!< [s]; 0: none
+};
+
+//! A run that was stopped from outside; it left no result and must be run again.
+class RunInterrupted : public std::exception
+{
+};
+
+//! A kind of test apparatus: what it needs, what it measures, how it runs.
+struct RigInfo
+{
+    std::string name;                    //!< as in `rig = "drawdown"`
+    std::string doc;                     //!< one line
+    std::vector<OptionSpec> options;     //!< keys of its `[[experiment]]` table
+    std::vector<ResponseInfo> responses; //!< in the order of RunResult::responses
+    //! Everything that can be wrong with an input, checked before any run. \throws InputError
+    std::function<void(RunInput const&)> check;
+    //! Predicted cost [particle steps].
+    std::function<double(RunInput const&)> predict_cost;
+    //! Simulates. Does not throw for a failed run. \throws RunInterrupted
+    std::function<RunResult(RunInput const&, RunHooks const&)> run;
+};
+
+//! All rigs, the one list of them.
+std::vector<RigInfo> const& all_rigs();
+//! The rig of that name, or null.
+RigInfo const* find_rig(std::string const& name);
+
+} // namespace demens::rig
