@@ -1,0 +1,17 @@
+# Debian packages: libopenmpi-dev libhdf5-openmpi-dev libpetsc-real-dev libeigen3-dev libtomlplusplus-dev
+# libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev
+find_package(PkgConfig REQUIRED)
+find_package(fmt REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json REQUIRED)
+find_package(MPI REQUIRED COMPONENTS C)
+
+set(HDF5_PREFER_PARALLEL ON)
+find_package(HDF5 REQUIRED COMPONENTS C)
+if(NOT HDF5_IS_PARALLEL)
+  message(FATAL_ERROR "demens needs a parallel HDF5 (Debian: libhdf5-openmpi-dev); found ${HDF5_C_LIBRARIES}")
+endif()
+
+pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+pkg_check_modules(petsc REQUIRED IMPORTED_TARGET PETSc)

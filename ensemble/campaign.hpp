@@ -1,0 +1,67 @@
+#pragma once
+
+#include "ensemble/input/campaign_input.hpp"
+
+#include <string>
+#include <vector>
+
+namespace demens::ensemble {
+
+//! One run (design point x experiment x replicate) and what came of it.
+struct RunRecord
+{
+    int run = 0;   //!< number in the campaign, from 0, in the order in which runs were planned
+    int wave = 0;
+    int point = 0; //!< number of the design point in the campaign
+    int experiment = 0;
+    int replicate = 0;
+    std::uint64_t seed = 0;
+    std::vector<double> factors; //!< own units, in the order of CampaignInput::factors
+    double predicted_cost = 0;   //!< [particle steps]
+
+    rig::RunStatus status = rig::RunStatus::not_run;
+    std::string reason;
+    std::vector<double> responses; //!< of the experiment's rig; NaN where not reached
+    double wall_time = 0;          //!< [s]
+    double start_time = 0;         //!< [s] since the wave began
+    int group = -1;                //!< which group ran it
+    double simulated_time = 0;     //!< [s]
+    std::int64_t steps = 0;
+    std::int64_t particles = 0;
+};
+
+//! A named array that the calibration stores with a wave (surrogate, optimum), e.g. `optimum/best_point`.
+struct NamedArray
+{
+    std::string path; //!< below /waves/NNNN/
+    std::vector<std::size_t> shape;
+    std::vector<double> data; //!< row-major
+    std::string units;        //!< "1" when dimensionless, "mixed" with a column list in `doc`
+    std::string doc;
+};
+
+//! Runs that were planned together, and what the calibration made of all runs up to them.
+struct Wave
+{
+    int number = 0;
+    std::string purpose; //!< "design", "search", "confirmation"
+    std::vector<RunRecord> runs;
+    std::vector<NamedArray> analysis;
+    double wall_time = 0; //!< [s]
+    int groups = 0;
+};
+
+//! All of a campaign that later decisions rest on.
+struct Campaign
+{
+    CampaignInput input;
+    std::vector<Wave> waves;
+    std::string ended; //!< why the campaign ended; empty while it goes on
+
+    int runs_planned() const;
+    int points_planned() const;
+    //! All records of all waves in the order of their numbers.
+    std::vector<RunRecord> all_runs() const;
+};
+
+} // namespace demens::ensemble

@@ -1,0 +1,127 @@
+#pragma once
+
+#include "demens/rig/rig.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace demens::ensemble {
+
+//! A measured value to be met by one response of one experiment.
+struct Target
+{
+    std::string response; //!< name of a response of the experiment's rig
+    int response_index;   //!< its place in RigInfo::responses
+    double value;         //!< in the unit the name carries
+    double scale;         //!< the deviation that counts as one, same unit, > 0
+    double sd;            //!< standard deviation of the measurement; NaN: not given
+    double tolerance;     //!< deviation that is good enough; NaN: not given
+};
+
+//! One rig under one set of conditions, with what was measured there.
+struct Experiment
+{
+    std::string name;
+    rig::RigInfo const* rig;
+    int replicates = 1; //!< runs per design point, each with its own packing seed
+    std::vector<Target> targets;
+};
+
+//! A scalar of the resolved input that is to be found.
+struct Factor
+{
+    std::string path; //!< e.g. `contact.quartz_quartz.static_friction` or `experiment.bench.mass_kg`
+    std::string name; //!< short name for tables and plots; default the last part of the path
+    double lower, upper;
+    bool log_scale = false;
+};
+
+//! sum_k coefficients[k] * factor[k] <= bound, in the factors' own units.
+struct LinearConstraint
+{
+    std::string text; //!< as the author wrote it, e.g. `kinetic_friction <= static_friction`
+    std::vector<double> coefficients;
+    double bound;
+};
+
+//! First wave. Unused members keep their defaults.
+struct DesignOptions
+{
+    std::string kind = "latin_hypercube";
+    int points = 0;                         //!< 0: a default that suits the factors
+    int centre_repetitions = 0;
+    double axial_distance = 0;              //!< 0: rotatable
+    int levels = 2;                         //!< full factorial
+    std::vector<std::string> generators;    //!< fractional factorial, e.g. "E=ABC"
+    std::vector<std::vector<double>> table; //!< rows of factor values, `kind = "table"`
+};
+
+struct SurrogateOptions
+{
+    std::string kind = "rbf"; //!< quadratic, rbf
+};
+
+struct SolverOptions
+{
+    std::string kind = "pounders";
+    int starts = 20; //!< starts of the search on the surrogate
+    int batch = 0;   //!< new design points per wave; 0: as many as keep all groups busy
+};
+
+struct StopOptions
+{
+    double wmse = 0;          //!< stop when the best point's weighted mean square error is at most this; 0: never
+    bool within_tolerance = true; //!< stop when every target with a tolerance is met
+    int waves = 50;           //!< most waves after the design
+    int runs = 200;           //!< most runs in all
+    double wall_time_s = 0;   //!< 0: no limit
+    int no_improvement_waves = 4; //!< stop after so many waves without a better point
+};
+
+struct RunOptions
+{
+    int ranks_per_group = 1;
+    double run_wall_time_s = 0; //!< a run slower than this is `timed_out`; 0: no limit
+    double series_interval_s = 0.02;
+};
+
+//! A campaign as its author wrote it, checked and complete with defaults.
+class CampaignInput
+{
+  public:
+    //! Reads and checks a TOML file. \throws InputError with file, line, key, value and what would be right.
+    static CampaignInput from_file(std::filesystem::path const& file);
+    //! The same from text; `origin` stands for the file in messages.
+    static CampaignInput from_text(std::string const& toml, std::string const& origin);
+
+    std::string name;
+    std::uint64_t seed = 1;
+    std::vector<Experiment> experiments;
+    std::vector<Factor> factors;
+    std::vector<LinearConstraint> constraints;
+    DesignOptions design;
+    SurrogateOptions surrogate;
+    SolverOptions solver;
+    StopOptions stop;
+    RunOptions run;
+
+    //! The author's text, byte for byte.
+    std::string const& text() const { return text_; }
+    //! The same as TOML with every default written out; reading it gives this campaign again.
+    std::string const& resolved_text() const { return resolved_text_; }
+
+    //! Input of one run: factor values set at their paths, the seed derived from (campaign seed, point, experiment,
+    //! replicate). \throws InputError when the values make an input that a rig refuses.
+    rig::RunInput run_input(std::vector<double> const& factor_values, int point, int experiment,
+                            int replicate) const;
+    //! The seed of a run; the same replicate of every design point has its own packing.
+    std::uint64_t run_seed(int point, int experiment, int replicate) const;
+
+  private:
+    std::string text_, resolved_text_;
+    struct Tree; //!< the resolved input, private to the reader
+    std::shared_ptr<Tree const> tree_;
+};
+
+} // namespace demens::ensemble
