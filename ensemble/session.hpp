@@ -1,0 +1,58 @@
+#pragma once
+
+#include "ensemble/campaign.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <mpi.h>
+
+namespace demens::ensemble {
+
+//! How the execution of a wave ended.
+enum class WaveEnd {
+    complete, //!< every run has a status and the campaign file holds them
+    drained   //!< asked to stop (SIGUSR1, SIGTERM): nothing lost, go on later; the program exits with 75
+};
+
+//! A campaign file open for work by all ranks of a communicator. Every member function is collective, and every
+//! rank sees the same campaign.
+class Session
+{
+  public:
+    //! Opens a campaign file and takes in the shards of an interrupted wave. \throws InputError when the file is
+    //! not a campaign, is of a newer format, or is in use by another session.
+    Session(MPI_Comm communicator, std::filesystem::path const& file);
+    ~Session();
+
+    Campaign const& campaign() const;
+    //! Number of groups that simulate at a time.
+    int groups() const;
+
+    //! Adds a wave: all experiments and replicates at each design point (own units). The plan is in the file when
+    //! this returns. The arguments of rank 0 count.
+    void plan_wave(std::string const& purpose, std::vector<std::vector<double>> const& points);
+    //! Runs what the last wave still lacks, longest predicted run first, and gathers it into the file.
+    WaveEnd run_wave();
+    //! Stores what the calibration made of the runs with the last wave. Rank 0's arguments count.
+    void store_analysis(std::vector<NamedArray> const& analysis);
+    //! Marks the campaign as ended for the given reason.
+    void end(std::string const& reason);
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+//! Writes a new campaign file without any wave. \throws InputError when it exists or cannot be written.
+void create_campaign_file(std::filesystem::path const& file, CampaignInput const& input);
+//! Reads a campaign file on one rank, without opening it for writing. \throws InputError
+Campaign read_campaign_file(std::filesystem::path const& file);
+//! Snapshots (e.g. "settled", "final") and series of one finished run. \throws InputError when the file has none.
+struct RunDetails
+{
+    std::vector<rig::Snapshot> snapshots;
+    rig::Series series;
+};
+RunDetails read_run_details(std::filesystem::path const& file, int run);
+
+} // namespace demens::ensemble
