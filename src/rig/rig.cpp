@@ -1,0 +1,36 @@
+#include "demens/rig/rig.hpp"
+
+#include <algorithm>
+
+namespace demens::rig {
+
+char const* name_of(RunStatus status)
+{
+    switch (status) {
+    case RunStatus::not_run: return "not run";
+    case RunStatus::finished: return "finished";
+    case RunStatus::not_a_number: return "not a number";
+    case RunStatus::escaped: return "escaped";
+    case RunStatus::overlapping: return "overlapping";
+    case RunStatus::timed_out: return "timed out";
+    case RunStatus::error: return "error";
+    case RunStatus::quarantined: return "quarantined";
+    }
+    return "unknown";
+}
+
+std::vector<RigInfo> const& all_rigs()
+{
+    static std::vector<RigInfo> const rigs = {};
+    return rigs;
+}
+
+RigInfo const* find_rig(std::string const& name)
+{
+    auto const& rigs = all_rigs();
+    auto const found =
+        std::find_if(rigs.begin(), rigs.end(), [&](RigInfo const& rig) { return rig.name == name; });
+    return found == rigs.end() ? nullptr : &*found;
+}
+
+} // namespace demens::rig

@@ -1,0 +1,88 @@
+#include "demens/shape/size_distribution.hpp"
+
+#include "demens/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace demens::shape {
+
+SizeDistribution::SizeDistribution(std::vector<double> diameters, std::vector<double> cumulative_mass_fractions)
+    : diameters_(std::move(diameters)), fractions_(std::move(cumulative_mass_fractions))
+{
+    if (diameters_.empty() || diameters_.size() != fractions_.size())
+        throw InputError("a size distribution needs as many cumulative mass fractions as diameters, and at least one");
+    for (std::size_t i = 0; i < diameters_.size(); ++i) {
+        if (!(diameters_[i] > 0) || !std::isfinite(diameters_[i]))
+            throw InputError("a diameter must be positive, not " + std::to_string(diameters_[i]));
+        if (i > 0 && diameters_[i] < diameters_[i - 1])
+            throw InputError("the diameters must not decrease: " + std::to_string(diameters_[i]) + " comes after " +
+                             std::to_string(diameters_[i - 1]));
+        if (i > 0 && fractions_[i] < fractions_[i - 1])
+            throw InputError("the cumulative mass fractions must not decrease: " + std::to_string(fractions_[i]) +
+                             " comes after " + std::to_string(fractions_[i - 1]));
+    }
+    if (std::abs(fractions_.back() - 1.0) > 1e-9)
+        throw InputError("the last cumulative mass fraction must be 1, not " + std::to_string(fractions_.back()));
+    if (!(fractions_.front() >= 0))
+        throw InputError("the first cumulative mass fraction must be at least 0, not " +
+                         std::to_string(fractions_.front()));
+}
+
+SizeDistribution SizeDistribution::from_classes(std::vector<double> const& diameters,
+                                                std::vector<double> const& mass_fractions)
+{
+    if (diameters.empty() || diameters.size() != mass_fractions.size())
+        throw InputError("size classes need as many mass fractions as diameters, and at least one");
+    std::vector<double> steps, cumulative;
+    double sum = 0;
+    for (std::size_t i = 0; i < diameters.size(); ++i) {
+        if (!(mass_fractions[i] >= 0))
+            throw InputError("a mass fraction must be at least 0, not " + std::to_string(mass_fractions[i]));
+        steps.insert(steps.end(), 2, diameters[i]);
+        cumulative.push_back(sum);
+        sum += mass_fractions[i];
+        cumulative.push_back(sum);
+    }
+    if (std::abs(sum - 1.0) > 1e-6)
+        throw InputError("the mass fractions of the size classes must sum to 1, not " + std::to_string(sum));
+    cumulative.back() = 1.0;
+    return {std::move(steps), std::move(cumulative)};
+}
+
+double SizeDistribution::quantile(double mass_fraction) const
+{
+    auto const above = std::upper_bound(fractions_.begin(), fractions_.end(), mass_fraction);
+    if (above == fractions_.end())
+        return diameters_.back();
+    if (above == fractions_.begin())
+        return diameters_.front();
+    auto const i = static_cast<std::size_t>(above - fractions_.begin());
+    double const t = (mass_fraction - fractions_[i - 1]) / (fractions_[i] - fractions_[i - 1]);
+    return diameters_[i - 1] + t * (diameters_[i] - diameters_[i - 1]);
+}
+
+std::vector<double> SizeDistribution::sample_mass(double mass, double density, RandomStream& random) const
+{
+    // Walk along the cumulative mass curve, sphere by sphere: each sphere stands for its own stretch of the curve,
+    // so that the sample follows the distribution by mass whatever the number of spheres.
+    double const per_cubed = density * std::numbers::pi / 6;
+    std::vector<double> sample;
+    double placed = 0;
+    while (placed < mass) {
+        double const d_here = quantile(placed / mass);
+        double const m_here = per_cubed * d_here * d_here * d_here;
+        double const d = quantile(std::min(1.0, (placed + 0.5 * m_here) / mass));
+        double const m = per_cubed * d * d * d;
+        if (placed + 0.5 * m > mass)
+            break;
+        sample.push_back(d);
+        placed += m;
+    }
+    for (std::size_t i = sample.size(); i > 1; --i)
+        std::swap(sample[i - 1], sample[random.below(i)]);
+    return sample;
+}
+
+} // namespace demens::shape
