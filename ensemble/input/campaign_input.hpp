@@ -35,6 +35,7 @@ struct Factor
     std::string name; //!< short name for tables and plots; default the last part of the path
     double lower, upper;
     bool log_scale = false;
+    std::vector<double> levels = {}; //!< the only values it may take, ascending; empty: continuous
 };
 
 //! sum_k coefficients[k] * factor[k] <= bound, in the factors' own units.
@@ -66,7 +67,7 @@ struct SolverOptions
 {
     std::string kind = "pounders";
     int starts = 20; //!< starts of the search on the surrogate
-    int batch = 0;   //!< new design points per wave; 0: as many as keep all groups busy
+    int batch = 0;   //!< new design points per wave; 0: max(4, 2 x factors), whatever the number of groups
 };
 
 struct StopOptions
@@ -77,6 +78,7 @@ struct StopOptions
     int runs = 200;           //!< most runs in all
     double wall_time_s = 0;   //!< 0: no limit
     int no_improvement_waves = 4; //!< stop after so many waves without a better point
+    int confirmation = 1;     //!< times the best point is repeated, with new packings, before the campaign ends
 };
 
 struct RunOptions
