@@ -55,7 +55,7 @@ std::vector<OptionSpec> const& pair_options()
         {.key = "kinetic_friction",
          .default_value = -1.0,
          .doc = "coefficient of kinetic friction [-], at most the static one; -1: the same as the static one",
-         .lower = -1.0},
+         .lower = 0.0},
         {.key = "rolling_friction", .default_value = 0.0, .doc = "coefficient of rolling friction [-]", .lower = 0.0},
         {.key = "rolling_damping",
          .default_value = 0.0,

@@ -16,7 +16,7 @@ using OptionValue = std::variant<double, std::int64_t, bool, std::string>;
 struct OptionSpec
 {
     std::string key;                 //!< as written in a file; carries the unit, e.g. `mass_kg`
-    OptionValue default_value = 0.0; //!< its alternative is the type of the option
+    OptionValue default_value = 0.0; //!< its alternative is the type; allowed even outside the range, e.g. -1: derived
     std::string doc;                 //!< one line
     bool required = false;           //!< no default: the author must give it
     double lower = -std::numeric_limits<double>::infinity(); //!< smallest allowed number, inclusive
