@@ -1,0 +1,379 @@
+#include "demens/dem/simulation.hpp"
+
+#include "demens/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+#include <utility>
+
+namespace demens::dem {
+
+Simulation::Simulation(contact::Model const& model, SimulationOptions const& options)
+    : options_(options), block_(std::make_unique<ContactBlock>())
+{
+    make_law_sets(model);
+    search_ = std::make_unique<NeighbourSearch>(materials_.size(), interaction_);
+}
+
+void Simulation::make_law_sets(contact::Model const& model)
+{
+    materials_ = model.materials;
+    laws_.clear();
+    interaction_.assign(materials_.size() * materials_.size(), 0);
+    auto const index_of = [&](std::string const& name) {
+        auto const found = std::find_if(materials_.begin(), materials_.end(),
+                                        [&](contact::Material const& m) { return m.name == name; });
+        if (found == materials_.end())
+            throw InputError("a contact names the material \"" + name + "\", which is not among the materials");
+        return static_cast<std::size_t>(found - materials_.begin());
+    };
+    std::vector<ContactList> lists;
+    // A law may treat its two bodies differently (each has its own modulus), so unlike materials get a law set for
+    // either order.
+    auto const add = [&](std::size_t a, std::size_t b, contact::PairProperties const& pair) {
+        auto const number = static_cast<std::uint32_t>(laws_.size());
+        interaction_[a * materials_.size() + b] = number;
+        laws_.emplace_back(materials_[a], materials_[b], pair);
+        auto const layout = state_layout(laws_.back());
+        lists.push_back({.interaction = number, .state_size = layout.size, .state_scalars = layout.scalars});
+    };
+    for (auto const& pair : model.pairs) {
+        std::size_t const a = index_of(pair.first), b = index_of(pair.second);
+        add(a, b, pair);
+        if (a != b)
+            add(b, a, pair);
+    }
+    if (!lists_.empty())
+        return; // the same laws with new coefficients: histories stay
+    for (bool const with_wall : {false, true})
+        for (auto list : lists) {
+            list.with_wall = with_wall;
+            lists_.push_back(std::move(list));
+        }
+}
+
+void Simulation::set_model(contact::Model const& model) { make_law_sets(model); }
+
+std::uint32_t Simulation::add_particle(Vector3 const& position, double radius, std::uint32_t material,
+                                       Vector3 const& velocity, Vector3 const& spin)
+{
+    double const mass = materials_[material].density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+    auto const id = static_cast<std::uint32_t>(particles_.size());
+    particles_.place.push_back({position.x, position.y, position.z, radius});
+    particles_.motion.push_back(
+        {velocity.x, velocity.y, velocity.z, mass, spin.x, spin.y, spin.z, 0.4 * mass * radius * radius});
+    particles_.load.push_back({});
+    particles_.material.push_back(material);
+    particles_.id.push_back(id);
+    list_is_stale_ = true;
+    return id;
+}
+
+std::uint32_t Simulation::add_wall(Wall const& wall)
+{
+    walls_.push_back(wall);
+    wall_forces_.push_back({});
+    list_is_stale_ = true;
+    return static_cast<std::uint32_t>(walls_.size() - 1);
+}
+
+void Simulation::set_wall(std::uint32_t number, Wall const& wall)
+{
+    walls_[number] = wall;
+    list_is_stale_ = true;
+}
+
+void Simulation::step()
+{
+    if (first_step_) {
+        rebuild_if_needed();
+        compute_loads();
+    }
+    move();
+    rebuild_if_needed();
+    compute_loads();
+    ++steps_done_;
+}
+
+namespace {
+
+//! Leapfrog form of velocity Verlet: the velocity goes from the middle of one step to the middle of the next.
+//! Returns the largest speed squared.
+DEMENS_MULTIVERSION double move_particles(Place* place, Motion* motion, Load const* load, std::size_t count,
+                                          double kick, double time_step, Vector3 const& gravity)
+{
+    double fastest = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        Motion& m = motion[i];
+        Load const& l = load[i];
+        double const per_mass = kick / m.mass, per_inertia = kick / m.inertia;
+        m.vx += l.fx * per_mass + kick * gravity.x;
+        m.vy += l.fy * per_mass + kick * gravity.y;
+        m.vz += l.fz * per_mass + kick * gravity.z;
+        m.wx += l.tx * per_inertia;
+        m.wy += l.ty * per_inertia;
+        m.wz += l.tz * per_inertia;
+        place[i].x += time_step * m.vx;
+        place[i].y += time_step * m.vy;
+        place[i].z += time_step * m.vz;
+        double const speed = m.vx * m.vx + m.vy * m.vy + m.vz * m.vz;
+        fastest = speed > fastest ? speed : fastest;
+    }
+    return fastest;
+}
+
+//! Compacts the slots of pairs that touch, and of those that touched before and no longer do. Returns both counts.
+DEMENS_MULTIVERSION std::pair<std::size_t, std::size_t>
+test_pairs(Place const* place, std::uint32_t const* first, std::uint32_t const* second, std::uint8_t* touching,
+           std::size_t count, std::uint32_t* now, std::uint32_t* parted)
+{
+    std::size_t n = 0, m = 0;
+    for (std::size_t s = 0; s < count; ++s) {
+        Place const& a = place[first[s]];
+        Place const& b = place[second[s]];
+        double const dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
+        double const reach = a.radius + b.radius;
+        bool const touches = dx * dx + dy * dy + dz * dz < reach * reach;
+        now[n] = static_cast<std::uint32_t>(s);
+        n += touches;
+        parted[m] = static_cast<std::uint32_t>(s);
+        m += touching[s] & !touches;
+        touching[s] = touches;
+    }
+    return {n, m};
+}
+
+} // namespace
+
+void Simulation::move()
+{
+    double const dt = options_.time_step;
+    double const kick = first_step_ ? 0.5 * dt : dt;
+    first_step_ = false;
+    double const fastest = std::sqrt(move_particles(particles_.place.data(), particles_.motion.data(),
+                                                    particles_.load.data(), particles_.size(), kick, dt,
+                                                    options_.gravity));
+    double fastest_wall = 0;
+    for (Wall& wall : walls_)
+        if (wall.active) {
+            wall.centre += dt * wall.velocity;
+            fastest_wall = std::max(fastest_wall, norm(wall.velocity));
+        }
+    travelled_ += dt * std::max(fastest, 0.5 * (fastest + fastest_wall));
+}
+
+void Simulation::rebuild_if_needed()
+{
+    if (!list_is_stale_ && travelled_ <= 0.5 * options_.skin)
+        return;
+    Vector3 const& lower = options_.domain_lower;
+    Vector3 const& upper = options_.domain_upper;
+    for (Place const& p : particles_.place)
+        if (!(p.x >= lower.x && p.y >= lower.y && p.z >= lower.z && p.x <= upper.x && p.y <= upper.y &&
+              p.z <= upper.z)) {
+            left_domain_ = true; // or is not a number; check_health tells which
+            return;
+        }
+    search_->rebuild(particles_, walls_, options_.skin, lists_);
+    travelled_ = 0;
+    list_is_stale_ = false;
+    ++rebuilds_;
+}
+
+void Simulation::compute_loads()
+{
+    std::fill(particles_.load.begin(), particles_.load.end(), Load{});
+    std::fill(wall_forces_.begin(), wall_forces_.end(), Vector3{});
+    for (ContactList& list : lists_)
+        compute_contacts(list);
+}
+
+void Simulation::compute_contacts(ContactList& list)
+{
+    std::size_t const count = list.size();
+    if (count == 0)
+        return;
+    if (touching_.size() < count + 1) {
+        touching_.resize(2 * count + 1);
+        parted_.resize(2 * count + 1);
+    }
+    std::size_t now = 0, parted = 0;
+    if (!list.with_wall) {
+        std::tie(now, parted) = test_pairs(particles_.place.data(), list.first.data(), list.second.data(),
+                                           list.touching.data(), count, touching_.data(), parted_.data());
+    } else {
+        for (std::size_t s = 0; s < count; ++s) {
+            Place const& p = particles_.place[list.first[s]];
+            Vector3 const position{p.x, p.y, p.z};
+            Vector3 const offset = position - walls_[list.second[s]].nearest(position);
+            bool const touches = norm_squared(offset) < p.radius * p.radius;
+            touching_[now] = static_cast<std::uint32_t>(s);
+            now += touches;
+            parted_[parted] = static_cast<std::uint32_t>(s);
+            parted += list.touching[s] & !touches;
+            list.touching[s] = touches;
+        }
+    }
+    auto const state_size = static_cast<std::size_t>(list.state_size);
+    for (std::size_t k = 0; k < parted; ++k)
+        std::fill_n(list.state.data() + parted_[k] * state_size, state_size, 0.0);
+
+    ContactBlock& block = *block_;
+    constexpr std::size_t lanes = ContactBlock::lanes;
+    contact::LawSet const& laws = laws_[list.interaction];
+    for (std::size_t from = 0; from < now; from += lanes) {
+        block.count = static_cast<int>(std::min(lanes, now - from));
+        std::copy_n(touching_.data() + from, block.count, block.slot);
+        gather(block, list);
+        largest_overlap_ = std::max(largest_overlap_, derive_geometry(block, list.with_wall));
+        evaluate_laws(block, laws, options_.time_step);
+        scatter(block, list);
+    }
+}
+
+void Simulation::gather(ContactBlock& b, ContactList const& list) const
+{
+    auto const state_size = static_cast<std::size_t>(list.state_size);
+    for (int l = 0; l < ContactBlock::lanes; ++l) {
+        std::uint32_t const slot = b.slot[l < b.count ? l : b.count - 1];
+        std::uint32_t const i = list.first[slot], j = list.second[slot];
+        Place const& pi = particles_.place[i];
+        Motion const& mi = particles_.motion[i];
+        b.wix[l] = mi.wx, b.wiy[l] = mi.wy, b.wiz[l] = mi.wz;
+        b.radius_i[l] = pi.radius;
+        b.mass_i[l] = mi.mass;
+        if (list.with_wall) {
+            Wall const& wall = walls_[j];
+            Vector3 const position{pi.x, pi.y, pi.z};
+            Vector3 offset = position - wall.nearest(position);
+            if (norm_squared(offset) == 0) // the centre is on the wall: push along its normal
+                offset = 1e-9 * pi.radius * wall.normal();
+            b.dx[l] = offset.x, b.dy[l] = offset.y, b.dz[l] = offset.z;
+            b.radius_j[l] = pi.radius;
+            b.mass_j[l] = 1e300;
+            b.vx[l] = mi.vx - wall.velocity.x;
+            b.vy[l] = mi.vy - wall.velocity.y;
+            b.vz[l] = mi.vz - wall.velocity.z;
+            b.wjx[l] = b.wjy[l] = b.wjz[l] = 0;
+        } else {
+            Place const& pj = particles_.place[j];
+            Motion const& mj = particles_.motion[j];
+            b.dx[l] = pi.x - pj.x, b.dy[l] = pi.y - pj.y, b.dz[l] = pi.z - pj.z;
+            b.radius_j[l] = pj.radius;
+            b.mass_j[l] = mj.mass;
+            b.vx[l] = mi.vx - mj.vx, b.vy[l] = mi.vy - mj.vy, b.vz[l] = mi.vz - mj.vz;
+            b.wjx[l] = mj.wx, b.wjy[l] = mj.wy, b.wjz[l] = mj.wz;
+        }
+        double const* state = list.state.data() + slot * state_size;
+        for (std::size_t k = 0; k < state_size; ++k)
+            b.state[k][l] = state[k];
+    }
+}
+
+void Simulation::scatter(ContactBlock const& b, ContactList& list)
+{
+    auto const state_size = static_cast<std::size_t>(list.state_size);
+    for (int l = 0; l < b.count; ++l) {
+        std::uint32_t const slot = b.slot[l];
+        double* state = list.state.data() + slot * state_size;
+        for (std::size_t k = 0; k < state_size; ++k)
+            state[k] = b.state[k][l];
+        Vector3 const force{b.fx[l], b.fy[l], b.fz[l]};
+        Vector3 const rolling{b.mx[l], b.my[l], b.mz[l]};
+        // The force acts at the contact point, -arm_i n from i and arm_j n from j.
+        Vector3 const turning = cross({b.nx[l], b.ny[l], b.nz[l]}, force);
+        Load& i = particles_.load[list.first[slot]];
+        i.fx += force.x, i.fy += force.y, i.fz += force.z;
+        i.tx += rolling.x - b.arm_i[l] * turning.x;
+        i.ty += rolling.y - b.arm_i[l] * turning.y;
+        i.tz += rolling.z - b.arm_i[l] * turning.z;
+        if (list.with_wall) {
+            wall_forces_[list.second[slot]] -= force;
+            continue;
+        }
+        Load& j = particles_.load[list.second[slot]];
+        j.fx -= force.x, j.fy -= force.y, j.fz -= force.z;
+        j.tx -= rolling.x + b.arm_j[l] * turning.x;
+        j.ty -= rolling.y + b.arm_j[l] * turning.y;
+        j.tz -= rolling.z + b.arm_j[l] * turning.z;
+    }
+}
+
+Health Simulation::check_health()
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+        sum += particles_.place[i].x + particles_.place[i].y + particles_.place[i].z + particles_.load[i].fx +
+               particles_.load[i].tx;
+    double const overlap = largest_overlap_;
+    largest_overlap_ = 0;
+    if (!std::isfinite(sum))
+        return Health::not_a_number;
+    if (left_domain_)
+        return Health::escaped;
+    return overlap > options_.overlap_limit ? Health::overlapping : Health::good;
+}
+
+Vector3 Simulation::velocity(std::size_t k) const
+{
+    Motion const& m = particles_.motion[k];
+    Vector3 const behind{m.vx, m.vy, m.vz};
+    if (first_step_)
+        return behind;
+    Load const& l = particles_.load[k];
+    return behind + 0.5 * options_.time_step * (Vector3{l.fx, l.fy, l.fz} / m.mass + options_.gravity);
+}
+
+Vector3 Simulation::spin(std::size_t k) const
+{
+    Motion const& m = particles_.motion[k];
+    Vector3 const behind{m.wx, m.wy, m.wz};
+    if (first_step_)
+        return behind;
+    Load const& l = particles_.load[k];
+    return behind + 0.5 * options_.time_step * (Vector3{l.tx, l.ty, l.tz} / m.inertia);
+}
+
+double Simulation::largest_speed() const
+{
+    double largest = 0;
+    for (Motion const& m : particles_.motion)
+        largest = std::max(largest, m.vx * m.vx + m.vy * m.vy + m.vz * m.vz);
+    return std::sqrt(largest);
+}
+
+double Simulation::kinetic_energy() const
+{
+    double energy = 0;
+    for (std::size_t k = 0; k < particles_.size(); ++k)
+        energy += 0.5 * particles_.motion[k].mass * norm_squared(velocity(k)) +
+                  0.5 * particles_.motion[k].inertia * norm_squared(spin(k));
+    return energy;
+}
+
+namespace {
+
+std::size_t count_touching(std::vector<ContactList> const& lists, bool with_wall)
+{
+    std::size_t count = 0;
+    for (ContactList const& list : lists)
+        if (list.with_wall == with_wall)
+            count += static_cast<std::size_t>(std::count(list.touching.begin(), list.touching.end(), 1));
+    return count;
+}
+
+} // namespace
+
+std::size_t Simulation::particle_contacts() const { return count_touching(lists_, false); }
+std::size_t Simulation::wall_contacts() const { return count_touching(lists_, true); }
+
+double rayleigh_time(double radius, contact::Material const& material)
+{
+    double const shear_modulus = material.youngs_modulus / (2 * (1 + material.poisson_ratio));
+    return std::numbers::pi * radius * std::sqrt(material.density / shear_modulus) /
+           (0.1631 * material.poisson_ratio + 0.8766);
+}
+
+} // namespace demens::dem

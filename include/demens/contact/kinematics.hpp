@@ -1,0 +1,60 @@
+#pragma once
+
+#include "demens/base/macros.hpp"
+#include "demens/base/vector3.hpp"
+
+namespace demens::contact {
+
+//! Geometry and relative motion of one contact of bodies i and j; a wall takes the place of j.
+struct ContactKinematics
+{
+    Vector3 normal;           //!< unit vector from j to i
+    double overlap;           //!< [m], > 0
+    double radius_i;          //!< [m]
+    double radius_j;          //!< [m]; against a wall the radius of i, as its stiffness is that of a like sphere
+    double effective_radius;  //!< R* [m]; against a wall the radius of i
+    double effective_mass;    //!< m* [kg]; against a wall the mass of i
+    double rolling_inertia;   //!< equivalent moment of inertia about the contact point [kg m^2]
+    double normal_velocity;   //!< [m/s], positive when separating
+    Vector3 tangent_velocity; //!< of i relative to j at the contact point, in the contact plane [m/s]
+    Vector3 relative_spin;    //!< angular velocity of i minus that of j [rad/s]
+    double time_step;         //!< [s]
+};
+
+//! What a normal law tells the laws that come after it.
+struct NormalResponse
+{
+    double force;     //!< along the normal on i [N], positive when repulsive
+    double limit;     //!< force that limits friction and rolling [N], never negative
+    double stiffness; //!< tangent (Hertz) or loading (spring) stiffness [N/m]
+};
+
+//! Turns a stored vector into the plane normal to n and keeps its length.
+DEMENS_INLINE DEMENS_FUNCTION Vector3 turned_into_plane(Vector3 const& stored, Vector3 const& n)
+{
+    Vector3 const in_plane = stored - dot(stored, n) * n;
+    double const before = norm_squared(stored);
+    double const after = norm_squared(in_plane);
+    // A vector along the normal has no direction in the plane: it is dropped.
+    double const scale = after > 1e-30 * before && after > 0 ? std::sqrt(before / after) : 0.0;
+    return scale * in_plane;
+}
+
+//! Static and kinetic friction with a state: a contact that slides resists with the kinetic coefficient and sticks
+//! again once the trial force is below that limit (Moncada et al. 2023, eq. 3, with two coefficients).
+struct CoulombFriction
+{
+    double static_coefficient, kinetic_coefficient;
+
+    //! Factor in [0, 1] that brings a trial force of magnitude `trial` [N] to its limit; updates the state
+    //! `sliding` (0 sticks, 1 slides).
+    DEMENS_INLINE DEMENS_FUNCTION double limit(double trial, double normal_force, double& sliding) const
+    {
+        double const threshold = (sliding > 0.5 ? kinetic_coefficient : static_coefficient) * normal_force;
+        bool const slides = trial > threshold;
+        sliding = slides ? 1.0 : 0.0;
+        return slides ? kinetic_coefficient * normal_force / trial : 1.0;
+    }
+};
+
+} // namespace demens::contact

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "demens/contact/kinematics.hpp"
+#include "demens/contact/pair_material.hpp"
+
+namespace demens::contact {
+
+//! Two elastic spheres with viscous damping that gives a constant restitution (Hertz 1882; Tsuji et al. 1992):
+//! F_n = 4/3 E* sqrt(R*) d^(3/2) + 2 sqrt(5/6) beta sqrt(S_n m*) v_n, S_n = 2 E* sqrt(R* d).
+class HertzNormal
+{
+  public:
+    static constexpr int state_scalars = 0;
+
+    HertzNormal(PairMaterial const& material, PairProperties const& pair)
+        : youngs_modulus_(material.effective_youngs_modulus), damping_(1.8257418583505538 * material.damping),
+          lowest_(pair.allow_attraction ? -1e300 : 0.0)
+    {
+    }
+
+    DEMENS_INLINE DEMENS_FUNCTION NormalResponse operator()(ContactKinematics const& contact, double*) const
+    {
+        double const stiffness = 2 * youngs_modulus_ * std::sqrt(contact.effective_radius * contact.overlap);
+        double const elastic = 2.0 / 3.0 * stiffness * contact.overlap;
+        double const viscous =
+            damping_ * std::sqrt(stiffness * contact.effective_mass) * contact.normal_velocity;
+        double const total = elastic + viscous;
+        double const force = total > lowest_ ? total : lowest_;
+        return {force, force > 0 ? force : 0.0, stiffness};
+    }
+
+  private:
+    double youngs_modulus_;
+    double damping_; //!< 2 sqrt(5/6) beta
+    double lowest_;  //!< smallest force allowed [N]
+};
+
+} // namespace demens::contact

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "demens/contact/kinematics.hpp"
+#include "demens/contact/pair_material.hpp"
+
+namespace demens::contact {
+
+//! Torque of constant size against the relative spin, M = -mu_r R* |F_n| w/|w| (type A of Ai et al. 2011). It never
+//! turns the spin round within a step: |M| <= I_r |w|/dt, which lets a body come to rest.
+class ConstantTorqueRolling
+{
+  public:
+    static constexpr int state_vectors = 0;
+
+    ConstantTorqueRolling(PairMaterial const&, PairProperties const& pair) : coefficient_(pair.rolling_friction) {}
+
+    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact, NormalResponse const& normal,
+                                                     Vector3*) const
+    {
+        double const spin = norm(contact.relative_spin);
+        double const limit = coefficient_ * contact.effective_radius * normal.limit;
+        double const stopping = contact.rolling_inertia * spin / contact.time_step;
+        double const torque = limit < stopping ? limit : stopping;
+        double const scale = spin > 0 ? -torque / spin : 0.0;
+        return scale * contact.relative_spin;
+    }
+
+  private:
+    double coefficient_; //!< mu_r
+};
+
+} // namespace demens::contact

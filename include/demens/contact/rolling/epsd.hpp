@@ -1,0 +1,48 @@
+#pragma once
+
+#include "demens/contact/kinematics.hpp"
+#include "demens/contact/pair_material.hpp"
+
+namespace demens::contact {
+
+//! Part of the relative spin that rolls: without the twist about the normal.
+DEMENS_INLINE DEMENS_FUNCTION Vector3 rolling_spin(ContactKinematics const& contact)
+{
+    return contact.relative_spin - dot(contact.relative_spin, contact.normal) * contact.normal;
+}
+
+//! Elastic-plastic spring-dashpot (type C of Ai et al. 2011): a torque spring k_r = 2.25 S_n mu_r^2 R*^2 up to
+//! mu_r R* |F_n|, and below that limit a dashpot -2 eta sqrt(I_r k_r) w.
+class EpsdRolling
+{
+  public:
+    //! Spring torque of the previous step [N m].
+    static constexpr int state_vectors = 1;
+
+    EpsdRolling(PairMaterial const&, PairProperties const& pair)
+        : coefficient_(pair.rolling_friction), damping_(pair.rolling_damping)
+    {
+    }
+
+    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact, NormalResponse const& normal,
+                                                     Vector3* vectors) const
+    {
+        double const arm = coefficient_ * contact.effective_radius;
+        double const stiffness = 2.25 * normal.stiffness * arm * arm;
+        Vector3 const spin = rolling_spin(contact);
+        Vector3 const trial =
+            turned_into_plane(vectors[0], contact.normal) - (stiffness * contact.time_step) * spin;
+        double const size = norm(trial);
+        double const limit = arm * normal.limit;
+        bool const rolls = size > limit;
+        vectors[0] = (rolls ? limit / size : 1.0) * trial;
+        double const viscous = rolls ? 0.0 : -2 * damping_ * std::sqrt(contact.rolling_inertia * stiffness);
+        return vectors[0] + viscous * spin;
+    }
+
+  private:
+    double coefficient_; //!< mu_r
+    double damping_;     //!< eta
+};
+
+} // namespace demens::contact

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "demens/contact/rolling/epsd.hpp"
+
+namespace demens::contact {
+
+//! Elastic-plastic spring with the stiffness of the tangential contact, k_r = S_t R*^2, S_t = 8 G* sqrt(R* d), and
+//! no dashpot; the limit is that of `epsd` (Iwashita and Oda 1998; Wensrich and Katterfeld 2012).
+class Epsd2Rolling
+{
+  public:
+    //! Spring torque of the previous step [N m].
+    static constexpr int state_vectors = 1;
+
+    Epsd2Rolling(PairMaterial const& material, PairProperties const& pair)
+        : coefficient_(pair.rolling_friction), shear_modulus_(material.effective_shear_modulus)
+    {
+    }
+
+    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact, NormalResponse const& normal,
+                                                     Vector3* vectors) const
+    {
+        double const radius = contact.effective_radius;
+        double const stiffness = 8 * shear_modulus_ * std::sqrt(radius * contact.overlap) * radius * radius;
+        Vector3 const trial = turned_into_plane(vectors[0], contact.normal) -
+                              (stiffness * contact.time_step) * rolling_spin(contact);
+        double const size = norm(trial);
+        double const limit = coefficient_ * radius * normal.limit;
+        vectors[0] = (size > limit ? limit / size : 1.0) * trial;
+        return vectors[0];
+    }
+
+  private:
+    double coefficient_;   //!< mu_r
+    double shear_modulus_; //!< G* [Pa]
+};
+
+} // namespace demens::contact

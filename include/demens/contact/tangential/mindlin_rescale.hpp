@@ -1,0 +1,46 @@
+#pragma once
+
+#include "demens/contact/kinematics.hpp"
+#include "demens/contact/pair_material.hpp"
+
+namespace demens::contact {
+
+//! Mindlin's no-slip stiffness with a Coulomb limit, F_t = -S_t d_t + 2 sqrt(5/6) beta sqrt(S_t m*) v_t,
+//! S_t = 8 G* sqrt(R* d) (Mindlin 1949; Tsuji et al. 1992). In unloading the stored displacement shrinks with
+//! sqrt(d/d_old), so that an oblique impact creates no energy (Thornton et al. 2013).
+class MindlinRescaleTangential
+{
+  public:
+    //! Sliding (0 or 1), overlap of the previous step [m], tangential displacement [m].
+    static constexpr int state_scalars = 2;
+    static constexpr int state_vectors = 1;
+
+    MindlinRescaleTangential(PairMaterial const& material, PairProperties const& pair)
+        : shear_modulus_(material.effective_shear_modulus), damping_(1.8257418583505538 * material.damping),
+          friction_{pair.static_friction, pair.kinetic_friction}
+    {
+    }
+
+    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact, NormalResponse const& normal,
+                                                     double* scalars, Vector3* vectors) const
+    {
+        double const stiffness = 8 * shear_modulus_ * std::sqrt(contact.effective_radius * contact.overlap);
+        double const old_overlap = scalars[1];
+        double const shrink = contact.overlap < old_overlap ? std::sqrt(contact.overlap / old_overlap) : 1.0;
+        Vector3 const displacement = shrink * turned_into_plane(vectors[0], contact.normal) +
+                                     contact.time_step * contact.tangent_velocity;
+        double const trial = stiffness * norm(displacement);
+        double const share = friction_.limit(trial, normal.limit, scalars[0]);
+        double const viscous = scalars[0] > 0.5 ? 0.0 : damping_ * std::sqrt(stiffness * contact.effective_mass);
+        vectors[0] = share * displacement;
+        scalars[1] = contact.overlap;
+        return viscous * contact.tangent_velocity - (share * stiffness) * displacement;
+    }
+
+  private:
+    double shear_modulus_; //!< G* [Pa]
+    double damping_;       //!< 2 sqrt(5/6) beta
+    CoulombFriction friction_;
+};
+
+} // namespace demens::contact

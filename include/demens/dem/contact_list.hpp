@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace demens::dem {
+
+//! Pairs of one kind (same materials, hence same laws) that may touch before the next rebuild, with their history.
+struct ContactList
+{
+    std::uint32_t interaction = 0; //!< index of the law set
+    bool with_wall = false;        //!< `second` is a wall, not a particle
+    int state_size = 0;            //!< doubles of history per pair: scalars, then vectors
+    int state_scalars = 0;         //!< how many of them are scalars; vectors change sign when a pair is reversed
+
+    std::vector<std::uint32_t> first{}, second{};
+    std::vector<std::uint8_t> touching{}; //!< 1: touched in the last step, its history counts
+    std::vector<double> state{};          //!< size() x state_size; zero where not touching
+
+    std::size_t size() const { return first.size(); }
+    void clear()
+    {
+        first.clear();
+        second.clear();
+        touching.clear();
+        state.clear();
+    }
+    //! Adds a pair without history.
+    void add(std::uint32_t i, std::uint32_t j)
+    {
+        first.push_back(i);
+        second.push_back(j);
+        touching.push_back(0);
+        state.resize(state.size() + static_cast<std::size_t>(state_size), 0.0);
+    }
+};
+
+} // namespace demens::dem

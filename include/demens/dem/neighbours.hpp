@@ -1,0 +1,60 @@
+#pragma once
+
+#include "demens/dem/contact_list.hpp"
+#include "demens/dem/particles.hpp"
+#include "demens/dem/wall.hpp"
+
+#include <vector>
+
+namespace demens::dem {
+
+//! Finds all pairs that may touch while no body moves by more than half a skin, and carries histories over.
+class NeighbourSearch
+{
+  public:
+    //! Law set of each pair of materials: `interaction[a * materials + b]`.
+    NeighbourSearch(std::size_t materials, std::vector<std::uint32_t> interaction)
+        : materials_(materials), interaction_(std::move(interaction))
+    {
+    }
+
+    //! Sorts the particles along the cells of a grid and fills the lists anew: one per interaction among particles,
+    //! then one per interaction with walls. All positions must be finite.
+    void rebuild(Particles& particles, std::vector<Wall> const& walls, double skin,
+                 std::vector<ContactList>& lists);
+
+  private:
+    //! A touching contact of the old lists, by its new particle numbers.
+    struct OldContact
+    {
+        std::uint32_t other; //!< particle, or wall
+        std::uint32_t list, slot;
+        bool with_wall, reversed;
+    };
+
+    struct Grid
+    {
+        Vector3 lower;
+        double inverse_cell;
+        int nx, ny, nz;
+    };
+
+    Grid make_grid(Particles const& particles, double skin) const;
+    void sort_into_cells(Particles& particles, Grid const& grid);
+    void index_old_contacts(std::size_t particles, std::vector<ContactList> const& lists);
+    void find_pairs(Particles const& particles, Grid const& grid, double skin, std::vector<ContactList>& lists);
+    void find_wall_contacts(Particles const& particles, std::vector<Wall> const& walls, double skin,
+                            std::vector<ContactList>& lists);
+    //! Adds a pair, with the history it had if it was touching.
+    void add_pair(ContactList& list, std::uint32_t i, std::uint32_t j);
+
+    std::size_t materials_;
+    std::vector<std::uint32_t> interaction_;
+    std::vector<std::uint32_t> cell_of_, cell_start_, new_index_;
+    std::vector<std::uint32_t> old_start_;
+    std::vector<OldContact> old_contacts_;
+    std::vector<ContactList> old_lists_;
+    Particles sorted_;
+};
+
+} // namespace demens::dem

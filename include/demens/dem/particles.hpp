@@ -1,0 +1,48 @@
+#pragma once
+
+#include "demens/base/vector3.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace demens::dem {
+
+// One record per use: a contact reads the place and the motion of both bodies and adds to both loads, one cache line
+// each.
+
+//! Where a particle is and how large.
+struct alignas(32) Place
+{
+    double x, y, z; //!< [m]
+    double radius;  //!< [m]
+};
+
+//! How a particle moves: half a time step behind its place, except before the first step.
+struct alignas(64) Motion
+{
+    double vx, vy, vz; //!< [m/s]
+    double mass;       //!< [kg]
+    double wx, wy, wz; //!< [rad/s]
+    double inertia;    //!< [kg m^2]
+};
+
+//! Force and torque of the contacts at the present place; gravity is not in it.
+struct alignas(64) Load
+{
+    double fx, fy, fz, unused; //!< [N]
+    double tx, ty, tz, unused2; //!< [N m]
+};
+
+//! All particles, in an order that changes at each neighbour rebuild; `id` stays with a particle.
+struct Particles
+{
+    std::vector<Place> place;
+    std::vector<Motion> motion;
+    std::vector<Load> load;
+    std::vector<std::uint32_t> material; //!< index into the model's materials
+    std::vector<std::uint32_t> id;       //!< order in which particles were added
+
+    std::size_t size() const { return place.size(); }
+};
+
+} // namespace demens::dem

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "demens/contact/laws.hpp"
+#include "demens/contact/model.hpp"
+#include "demens/dem/contact_block.hpp"
+#include "demens/dem/contact_list.hpp"
+#include "demens/dem/neighbours.hpp"
+#include "demens/dem/particles.hpp"
+#include "demens/dem/wall.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace demens::dem {
+
+struct SimulationOptions
+{
+    double time_step = 1e-5;              //!< [s]
+    Vector3 gravity = {0, 0, -9.81};      //!< [m/s^2]
+    double skin = 1e-3;                   //!< distance beyond contact that a neighbour list covers [m]
+    double overlap_limit = 0.5;           //!< largest overlap over the smaller radius that counts as healthy
+    Vector3 domain_lower = {-1e9, -1e9, -1e9}; //!< particles outside have escaped [m]
+    Vector3 domain_upper = {1e9, 1e9, 1e9};
+};
+
+enum class Health { good, not_a_number, escaped, overlapping };
+
+//! Spheres and walls that move and touch: the state and one time step of it.
+class Simulation
+{
+  public:
+    //! \throws InputError when a pair of `model` names a material that is not in it.
+    Simulation(contact::Model const& model, SimulationOptions const& options);
+
+    //! Adds a sphere; returns its id. Solid density and material come from the model.
+    std::uint32_t add_particle(Vector3 const& position, double radius, std::uint32_t material,
+                               Vector3 const& velocity = {}, Vector3 const& spin = {});
+    //! Adds a wall; returns its number.
+    std::uint32_t add_wall(Wall const& wall);
+    //! Replaces a wall, e.g. to move or remove it.
+    void set_wall(std::uint32_t number, Wall const& wall);
+    //! New coefficients for the same laws; contacts keep their histories.
+    void set_model(contact::Model const& model);
+
+    //! One time step.
+    void step();
+    void steps(std::int64_t count)
+    {
+        for (std::int64_t k = 0; k < count; ++k)
+            step();
+    }
+
+    //! State of the particles as of the last rebuild or step; overlaps are judged since the last call.
+    Health check_health();
+
+    double time() const { return static_cast<double>(steps_done_) * options_.time_step; }
+    std::int64_t steps_done() const { return steps_done_; }
+    SimulationOptions const& options() const { return options_; }
+    Particles const& particles() const { return particles_; }
+    std::vector<Wall> const& walls() const { return walls_; }
+    //! Force of the particles on each wall in the last step [N].
+    std::vector<Vector3> const& wall_forces() const { return wall_forces_; }
+    //! Velocity and spin of particle number k (not id) at the time of its place [m/s], [rad/s].
+    Vector3 velocity(std::size_t k) const;
+    Vector3 spin(std::size_t k) const;
+    double largest_speed() const; //!< [m/s]
+    double kinetic_energy() const; //!< translation and rotation [J]
+    //! Touching pairs, and touching wall contacts, of the last step.
+    std::size_t particle_contacts() const;
+    std::size_t wall_contacts() const;
+    std::int64_t rebuilds() const { return rebuilds_; }
+
+  private:
+    void make_law_sets(contact::Model const& model);
+    void move();
+    void rebuild_if_needed();
+    void compute_loads();
+    void compute_contacts(ContactList& list);
+    void gather(ContactBlock& block, ContactList const& list) const;
+    void scatter(ContactBlock const& block, ContactList& list);
+
+    SimulationOptions options_;
+    std::vector<contact::Material> materials_;
+    std::vector<contact::LawSet> laws_;
+    std::vector<std::uint32_t> interaction_; //!< law set of materials (a, b) at a * materials + b
+    Particles particles_;
+    std::vector<Wall> walls_;
+    std::vector<Vector3> wall_forces_;
+    std::vector<ContactList> lists_; //!< among particles, then with walls
+    std::vector<std::uint32_t> touching_, parted_; //!< slots found by the pair test
+    std::unique_ptr<NeighbourSearch> search_;
+    std::unique_ptr<ContactBlock> block_;
+    double travelled_ = 0; //!< bound on how far any body moved since the rebuild [m]
+    bool list_is_stale_ = true;
+    bool first_step_ = true;
+    bool left_domain_ = false;
+    double largest_overlap_ = 0; //!< over the smaller radius
+    std::int64_t steps_done_ = 0, rebuilds_ = 0;
+};
+
+//! Rayleigh time of a sphere: a wave crosses its surface (Ning and Thornton 1993) [s].
+double rayleigh_time(double radius, contact::Material const& material);
+
+} // namespace demens::dem
