@@ -6,7 +6,7 @@
 #include <mpi.h>
 #include <string>
 
-namespace demens::calib {
+namespace demens::tao_calib {
 
 //! How a calibration ended.
 enum class CalibrationEnd {
@@ -21,4 +21,4 @@ enum class CalibrationEnd {
 CalibrationEnd calibrate(ensemble::Session& session, MPI_Comm communicator = MPI_COMM_WORLD,
                          std::function<void(ensemble::Campaign const&)> const& on_wave = {});
 
-} // namespace demens::calib
+} // namespace demens::tao_calib

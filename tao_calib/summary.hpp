@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace demens::calib {
+namespace demens::tao_calib {
 
 //! Plain text for the end of a run: best point with intervals and verdicts, targets against simulated values, run
 //! counts, why it ended. Reads what was stored with the last analysed wave; calculates nothing.
 std::string summary(ensemble::Campaign const& campaign);
 
-} // namespace demens::calib
+} // namespace demens::tao_calib

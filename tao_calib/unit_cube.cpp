@@ -1,0 +1,204 @@
+#include "tao_calib/unit_cube.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace demens::tao_calib {
+namespace {
+
+using Eigen::VectorXd;
+using ensemble::Factor;
+
+constexpr int inside_samples = 500;
+constexpr int level_samples = 2000;
+constexpr int most_level_choices = 12; // discrete factors whose two nearest levels are combined
+
+double to_unit(Factor const& factor, double value)
+{
+    return factor.log_scale ? std::log(value / factor.lower) / std::log(factor.upper / factor.lower)
+                            : (value - factor.lower) / (factor.upper - factor.lower);
+}
+
+double to_value(Factor const& factor, double unit)
+{
+    double const value = factor.log_scale ? factor.lower * std::pow(factor.upper / factor.lower, unit)
+                                          : (1 - unit) * factor.lower + unit * factor.upper;
+    return std::clamp(value, factor.lower, factor.upper);
+}
+
+//! Shares of the ranges, linear in the factors also where their scale is logarithmic: constraints are straight here.
+VectorXd to_shares(std::vector<Factor> const& factors, VectorXd const& values)
+{
+    VectorXd shares(values.size());
+    for (Eigen::Index k = 0; k < values.size(); ++k)
+        shares[k] = (values[k] - factors[k].lower) / (factors[k].upper - factors[k].lower);
+    return shares;
+}
+
+VectorXd from_shares(std::vector<Factor> const& factors, VectorXd const& shares)
+{
+    VectorXd values(shares.size());
+    for (Eigen::Index k = 0; k < shares.size(); ++k)
+        values[k] = std::clamp((1 - shares[k]) * factors[k].lower + shares[k] * factors[k].upper, factors[k].lower,
+                               factors[k].upper);
+    return values;
+}
+
+//! normal . shares <= bound
+struct HalfSpace
+{
+    VectorXd normal;
+    double bound;
+};
+
+HalfSpace in_shares(std::vector<Factor> const& factors, ensemble::LinearConstraint const& constraint)
+{
+    HalfSpace half{VectorXd(static_cast<Eigen::Index>(factors.size())), constraint.bound};
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+        half.normal[k] = constraint.coefficients[k] * (factors[k].upper - factors[k].lower);
+        half.bound -= constraint.coefficients[k] * factors[k].lower;
+    }
+    return half;
+}
+
+//! Nearest point of the box [0,1]^k within all half spaces, but for rounding (Boyle and Dykstra 1986).
+VectorXd nearest(VectorXd point, std::vector<HalfSpace> const& halves)
+{
+    constexpr int most_rounds = 2000;
+    std::vector<VectorXd> corrections(halves.size() + 1, VectorXd::Zero(point.size()));
+    for (int round = 0; round < most_rounds; ++round) {
+        VectorXd const before = point;
+        for (std::size_t s = 0; s <= halves.size(); ++s) {
+            VectorXd const shifted = point + corrections[s];
+            if (s == halves.size())
+                point = shifted.cwiseMax(0).cwiseMin(1);
+            else {
+                double const excess = halves[s].normal.dot(shifted) - halves[s].bound;
+                point = excess > 0 ? VectorXd(shifted - halves[s].normal * (excess / halves[s].normal.squaredNorm()))
+                                   : shifted;
+            }
+            corrections[s] = shifted - point;
+        }
+        if ((point - before).lpNorm<Eigen::Infinity>() < 1e-15)
+            break;
+    }
+    return point;
+}
+
+} // namespace
+
+UnitCube::UnitCube(std::vector<Factor> factors, std::vector<ensemble::LinearConstraint> constraints)
+    : space_(factors, constraints), factors_(std::move(factors)), constraints_(std::move(constraints))
+{
+    inside_ = VectorXd::Constant(size(), 0.5);
+    if (!constrained())
+        return;
+    inside_.setZero(); // the mean of feasible points is inside, since the region is convex in the factors
+    RandomStream random(0);
+    for (int i = 0; i < inside_samples; ++i)
+        inside_ += to_shares(factors_, space_.own_units(space_.sample(random))) / inside_samples;
+}
+
+VectorXd UnitCube::to_unit(VectorXd const& values) const
+{
+    VectorXd unit(size());
+    for (int k = 0; k < size(); ++k)
+        unit[k] = std::clamp(tao_calib::to_unit(factors_[k], values[k]), 0.0, 1.0);
+    return unit;
+}
+
+VectorXd UnitCube::to_values(VectorXd const& unit) const
+{
+    VectorXd values(size());
+    for (int k = 0; k < size(); ++k)
+        values[k] = to_value(factors_[k], unit[k]);
+    return values;
+}
+
+bool UnitCube::feasible(VectorXd const& values) const
+{
+    for (int k = 0; k < size(); ++k)
+        if (!(values[k] >= factors_[k].lower && values[k] <= factors_[k].upper))
+            return false;
+    return std::all_of(constraints_.begin(), constraints_.end(), [&](auto const& constraint) {
+        double sum = 0;
+        for (int k = 0; k < size(); ++k)
+            sum += constraint.coefficients[k] * values[k];
+        return sum <= constraint.bound;
+    });
+}
+
+VectorXd UnitCube::project(VectorXd const& unit) const
+{
+    VectorXd const clamped = unit.cwiseMax(0).cwiseMin(1);
+    if (!constrained() || feasible(to_values(clamped)))
+        return clamped;
+    std::vector<HalfSpace> halves;
+    for (auto const& constraint : constraints_)
+        halves.push_back(in_shares(factors_, constraint));
+    VectorXd const shares = nearest(to_shares(factors_, to_values(clamped)), halves);
+    // The nearest point is on the edge but for rounding: the smallest step inwards that the exact check accepts.
+    VectorXd inwards = to_unit(from_shares(factors_, shares));
+    for (double step = 1e-16; step < 1 && !feasible(to_values(inwards)); step *= 4)
+        inwards = to_unit(from_shares(factors_, shares + step * (inside_ - shares)));
+    return inwards;
+}
+
+VectorXd UnitCube::sample(RandomStream& random) const
+{
+    VectorXd unit(size());
+    constexpr int most_draws = 100000;
+    for (int draw = 0; draw < most_draws; ++draw) {
+        for (int k = 0; k < size(); ++k)
+            unit[k] = random.uniform();
+        if (feasible(to_values(unit)))
+            return unit;
+    }
+    return to_unit(from_shares(factors_, inside_));
+}
+
+//! The feasible combination of the nearest levels below and above that is nearest to `values`.
+VectorXd UnitCube::on_levels(VectorXd const& values) const
+{
+    std::vector<int> discrete;
+    for (int k = 0; k < size(); ++k)
+        if (!factors_[k].levels.empty())
+            discrete.push_back(k);
+    if (discrete.empty())
+        return values;
+
+    VectorXd const wanted = to_unit(values);
+    VectorXd best;
+    double best_distance = std::numeric_limits<double>::infinity();
+    auto consider = [&](VectorXd const& candidate) {
+        double const distance = (to_unit(candidate) - wanted).squaredNorm();
+        if (distance < best_distance && feasible(candidate))
+            best = candidate, best_distance = distance;
+    };
+    int const choices = std::min<int>(static_cast<int>(discrete.size()), most_level_choices);
+    for (unsigned choice = 0; choice < (1u << choices); ++choice) {
+        VectorXd candidate = values;
+        for (std::size_t d = 0; d < discrete.size(); ++d) {
+            auto const& levels = factors_[discrete[d]].levels;
+            auto upper = std::lower_bound(levels.begin(), levels.end(), values[discrete[d]]);
+            bool const below = static_cast<int>(d) < choices && (choice >> d & 1u);
+            if (upper == levels.end() || (below && upper != levels.begin()))
+                --upper;
+            candidate[discrete[d]] = *upper;
+        }
+        consider(candidate);
+    }
+    RandomStream random(0);
+    for (int i = 0; i < level_samples && best.size() == 0; ++i)
+        consider(space_.own_units(space_.sample(random)));
+    return best;
+}
+
+std::vector<double> UnitCube::to_design_point(VectorXd const& unit) const
+{
+    VectorXd const values = on_levels(to_values(project(unit)));
+    return {values.data(), values.data() + values.size()};
+}
+
+} // namespace demens::tao_calib
