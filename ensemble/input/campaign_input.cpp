@@ -1,0 +1,101 @@
+#include "ensemble/input/campaign_input.hpp"
+
+#include "ensemble/input/base_input.hpp"
+#include "ensemble/input/input_options.hpp"
+#include "ensemble/input/nearest.hpp"
+#include "ensemble/input/resolved_text.hpp"
+#include "ensemble/input/section.hpp"
+#include "ensemble/input/whole_checks.hpp"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+
+namespace demens::ensemble {
+namespace {
+
+toml::table parse(std::string const& text, std::string const& origin)
+{
+    try {
+        return toml::parse(text, origin);
+    } catch (toml::parse_error const& error) {
+        auto const& where = error.source().begin;
+        throw InputError(fmt::format("{}:{}: column {}: not TOML: {}", origin, where.line, where.column,
+                                     error.description()));
+    }
+}
+
+template <class Section>
+void read_section(input::InputTable const& table, std::vector<std::string> const& lists, Section& section)
+{
+    input::assign(section, table.read(input::specs_of<Section>(), lists));
+}
+
+} // namespace
+
+CampaignInput CampaignInput::from_file(std::filesystem::path const& file,
+                                       std::vector<rig::RigInfo> const& rigs)
+{
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(file))
+        throw InputError(file.string() + ": cannot be read; give a campaign's TOML file");
+    std::string const text{std::istreambuf_iterator<char>(stream), {}};
+    return from_text(text, file.string(), rigs);
+}
+
+CampaignInput CampaignInput::from_text(std::string const& toml, std::string const& origin,
+                                       std::vector<rig::RigInfo> const& rigs)
+{
+    auto const parsed = parse(toml, origin);
+    input::InputTable const file(parsed, "", origin);
+    file.allow_only({"campaign", "material", "contact", "size_distribution", "experiment", "factor",
+                     "constraint", "design", "surrogate", "solver", "stop", "run"});
+
+    CampaignInput campaign;
+    auto const header = file.table("campaign").read(input::campaign_options());
+    campaign.name = header.text("name");
+    campaign.seed = static_cast<std::uint64_t>(header.integer("seed"));
+
+    auto tree = std::make_shared<Tree>(Tree{input::read_base_model(file)});
+    auto [experiments, experiment_tables] = input::read_experiments(file, *tree, rigs);
+    campaign.experiments = std::move(experiments);
+    campaign.factors = input::read_factors(file, *tree, campaign.experiments);
+    campaign.constraints = input::read_constraints(file, *tree, campaign.experiments, campaign.factors);
+
+    auto const design = file.table("design");
+    read_section(design, input::keys_of(input::design_lists()), campaign.design);
+    campaign.design.generators = design.words("generators");
+    campaign.design.table = design.rows_of_numbers("table");
+    read_section(file.table("surrogate"), {}, campaign.surrogate);
+    read_section(file.table("solver"), {}, campaign.solver);
+    read_section(file.table("stop"), {}, campaign.stop);
+    read_section(file.table("run"), {}, campaign.run);
+
+    input::check_sections(file, campaign);
+    input::check_rigs(campaign, *tree, experiment_tables);
+
+    campaign.text_ = toml;
+    campaign.resolved_text_ = input::resolved_text(campaign, *tree);
+    campaign.tree_ = std::move(tree);
+    return campaign;
+}
+
+rig::RunInput CampaignInput::run_input(std::vector<double> const& factor_values, int point, int experiment,
+                                       int replicate) const
+{
+    auto run =
+        input::make_run_input(*tree_, factor_values, experiment, run_seed(point, experiment, replicate));
+    if (auto const& check = experiments.at(static_cast<std::size_t>(experiment)).rig->check)
+        check(run);
+    return run;
+}
+
+std::uint64_t CampaignInput::run_seed(int point, int experiment, int replicate) const
+{
+    std::uint64_t derived = seed;
+    for (int key : {point, experiment, replicate})
+        derived = derive_seed(derived, static_cast<std::uint64_t>(key));
+    return derived;
+}
+
+} // namespace demens::ensemble

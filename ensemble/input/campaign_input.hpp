@@ -73,20 +73,19 @@ struct SolverOptions
 
 struct StopOptions
 {
-    double wmse = 0;          //!< stop when the best point's weighted mean square error is at most this; 0: never
+    double wmse = 0; //!< stop when the best point's weighted mean square error is at most this; 0: never
     bool within_tolerance = true; //!< stop when every target with a tolerance is met
-    int waves = 50;           //!< most waves after the design
-    int runs = 200;           //!< most runs in all
-    double wall_time_s = 0;   //!< 0: no limit
+    int waves = 50;               //!< most waves after the design
+    int runs = 200;               //!< most runs in all
+    double wall_time_s = 0;       //!< 0: no limit
     int no_improvement_waves = 4; //!< stop after so many waves without a better point
-    int confirmation = 1;     //!< times the best point is repeated, with new packings, before the campaign ends
+    int confirmation = 1; //!< times the best point is repeated, with new packings, before the campaign ends
 };
 
 struct RunOptions
 {
     int ranks_per_group = 1;
     double run_wall_time_s = 0; //!< a run slower than this is `timed_out`; 0: no limit
-    double series_interval_s = 0.02;
 };
 
 //! A campaign as its author wrote it, checked and complete with defaults.
@@ -94,9 +93,12 @@ class CampaignInput
 {
   public:
     //! Reads and checks a TOML file. \throws InputError with file, line, key, value and what would be right.
-    static CampaignInput from_file(std::filesystem::path const& file);
+    //! \param rigs what `rig = "..."` may name; must outlive the campaign
+    static CampaignInput from_file(std::filesystem::path const& file,
+                                   std::vector<rig::RigInfo> const& rigs = rig::all_rigs());
     //! The same from text; `origin` stands for the file in messages.
-    static CampaignInput from_text(std::string const& toml, std::string const& origin);
+    static CampaignInput from_text(std::string const& toml, std::string const& origin,
+                                   std::vector<rig::RigInfo> const& rigs = rig::all_rigs());
 
     std::string name;
     std::uint64_t seed = 1;
@@ -114,8 +116,8 @@ class CampaignInput
     //! The same as TOML with every default written out; reading it gives this campaign again.
     std::string const& resolved_text() const { return resolved_text_; }
 
-    //! Input of one run: factor values set at their paths, the seed derived from (campaign seed, point, experiment,
-    //! replicate). \throws InputError when the values make an input that a rig refuses.
+    //! Input of one run: factor values set at their paths, the seed derived from (campaign seed, point,
+    //! experiment, replicate). \throws InputError when the values make an input that a rig refuses.
     rig::RunInput run_input(std::vector<double> const& factor_values, int point, int experiment,
                             int replicate) const;
     //! The seed of a run; the same replicate of every design point has its own packing.

@@ -1,0 +1,53 @@
+#include "ensemble/input/base_input.hpp"
+
+namespace demens::ensemble::input {
+
+OptionValues& BaseInput::table_of(ScalarPlace const& place)
+{
+    switch (place.table) {
+    case ScalarPlace::Table::material:
+        return materials.at(place.index).values;
+    case ScalarPlace::Table::pair:
+        return pairs.at(place.index).values;
+    case ScalarPlace::Table::experiment:
+        break;
+    }
+    return experiments.at(place.index);
+}
+
+std::vector<std::string> BaseInput::material_names() const
+{
+    std::vector<std::string> names;
+    for (auto const& material : materials)
+        names.push_back(material.name);
+    return names;
+}
+
+std::vector<std::string> BaseInput::size_distribution_names() const
+{
+    std::vector<std::string> names;
+    for (auto const& sizes : size_distributions)
+        names.push_back(sizes.name);
+    return names;
+}
+
+rig::RunInput make_run_input(BaseInput base, std::vector<double> const& factor_values, int experiment,
+                             std::uint64_t seed)
+{
+    for (std::size_t f = 0; f < factor_values.size(); ++f)
+        for (auto const& place : base.factor_places.at(f))
+            base.table_of(place).set(place.key, factor_values[f]);
+
+    rig::RunInput input;
+    for (auto const& material : base.materials)
+        input.model.materials.push_back(contact::make_material(material.name, material.values));
+    for (auto const& pair : base.pairs)
+        input.model.pairs.push_back(contact::make_pair(pair.first, pair.second, pair.values));
+    for (auto const& sizes : base.size_distributions)
+        input.size_distributions.emplace(sizes.name, make_size_distribution(sizes));
+    input.experiment = base.experiments.at(static_cast<std::size_t>(experiment));
+    input.seed = seed;
+    return input;
+}
+
+} // namespace demens::ensemble::input

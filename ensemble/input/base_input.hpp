@@ -1,0 +1,112 @@
+#pragma once
+
+#include "ensemble/input/campaign_input.hpp"
+#include "ensemble/input/input_table.hpp"
+
+#include <string>
+#include <vector>
+
+namespace demens::ensemble::input {
+
+//! Checked table of one material.
+struct MaterialTable
+{
+    std::string name;
+    OptionValues values;
+};
+
+//! Checked table of one pair of materials.
+struct PairTable
+{
+    std::string first, second; //!< in the order of the table's heading
+    OptionValues values;
+
+    std::string name() const { return first + "_" + second; }
+};
+
+//! Lists of one size distribution, as its author wrote them.
+struct SizeTable
+{
+    std::string name;
+    bool classes;                  //!< discrete classes rather than a cumulative curve
+    std::vector<double> diameters; //!< [mm]
+    std::vector<double> fractions; //!< of the mass
+};
+
+//! Where a number of the base input is kept.
+struct ScalarPlace
+{
+    enum class Table
+    {
+        material,
+        pair,
+        experiment
+    } table;
+    std::size_t index; //!< of the material, pair or experiment
+    std::string key;
+
+    friend bool operator==(ScalarPlace const&, ScalarPlace const&) = default;
+};
+
+//! The resolved input that runs are made from: the base model, the conditions, and what the factors replace.
+struct BaseInput
+{
+    std::vector<MaterialTable> materials;
+    std::vector<PairTable> pairs;
+    std::vector<SizeTable> size_distributions;
+    std::vector<OptionValues> experiments;               //!< options of the rig, one entry an experiment
+    std::vector<std::vector<ScalarPlace>> factor_places; //!< one entry a factor
+
+    OptionValues& table_of(ScalarPlace const& place);
+    std::vector<std::string> material_names() const;
+    std::vector<std::string> size_distribution_names() const;
+};
+
+//! Reads `[material.NAME]`, `[contact.A_B]` and `[size_distribution.NAME]`.
+BaseInput read_base_model(InputTable const& file);
+//! Reads `[[experiment]]`; the options of their rigs go to `base`. \return also the tables, for later
+//! messages
+struct ReadExperiments
+{
+    std::vector<Experiment> experiments;
+    std::vector<InputTable> tables;
+};
+ReadExperiments read_experiments(InputTable const& file, BaseInput& base,
+                                 std::vector<rig::RigInfo> const& rigs);
+//! Reads `[[factor]]`; what they replace goes to `base`.
+std::vector<Factor> read_factors(InputTable const& file, BaseInput& base,
+                                 std::vector<Experiment> const& experiments);
+//! Reads `[[constraint]]`.
+std::vector<LinearConstraint> read_constraints(InputTable const& file, BaseInput const& base,
+                                               std::vector<Experiment> const& experiments,
+                                               std::vector<Factor> const& factors);
+//! What a dotted path names, in the form in which it is stored; no places when it names nothing.
+struct ResolvedPath
+{
+    std::string path;
+    std::vector<ScalarPlace> places;
+    OptionSpec spec; //!< of the number
+};
+ResolvedPath resolve_path(std::string const& path, BaseInput const& base,
+                          std::vector<Experiment> const& experiments);
+//! All paths that a factor may have.
+std::vector<std::string> all_paths(BaseInput const& base, std::vector<Experiment> const& experiments);
+
+//! Size distribution [m] from its lists. \throws InputError without a place
+shape::SizeDistribution make_size_distribution(SizeTable const& table);
+//! The run's input with factor values in place of the base values.
+rig::RunInput make_run_input(BaseInput base, std::vector<double> const& factor_values, int experiment,
+                             std::uint64_t seed);
+
+//! A name that can be part of a dotted path. \throws InputError otherwise
+void check_name(InputTable const& table, std::string const& key, std::string const& name);
+
+} // namespace demens::ensemble::input
+
+namespace demens::ensemble {
+
+struct CampaignInput::Tree : input::BaseInput
+{
+};
+
+} // namespace demens::ensemble

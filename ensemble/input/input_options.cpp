@@ -1,0 +1,170 @@
+#include "ensemble/input/input_options.hpp"
+
+#include "demens/contact/model.hpp"
+#include "ensemble/input/campaign_input.hpp"
+#include "ensemble/input/section.hpp"
+
+#include <limits>
+
+namespace demens::ensemble::input {
+namespace {
+
+constexpr double positive = std::numeric_limits<double>::min();
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+std::string const word;
+
+} // namespace
+
+std::vector<OptionSpec> const& campaign_options()
+{
+    static std::vector<OptionSpec> const specs = {
+        {.key = "name", .default_value = word, .doc = "name of the campaign", .required = true},
+        {.key = "seed",
+         .default_value = std::int64_t{1},
+         .doc = "all random numbers of the campaign derive from it",
+         .lower = 0},
+    };
+    return specs;
+}
+
+std::vector<OptionSpec> const& experiment_options()
+{
+    static std::vector<OptionSpec> const specs = {
+        {.key = "name", .default_value = word, .doc = "name in factor paths and tables", .required = true},
+        {.key = "rig",
+         .default_value = word,
+         .doc = "test apparatus; `demens rigs` lists them",
+         .required = true},
+        {.key = "replicates",
+         .default_value = std::int64_t{1},
+         .doc = "runs per design point, each with its own packing",
+         .lower = 1,
+         .upper = 1000},
+    };
+    return specs;
+}
+
+std::vector<OptionSpec> const& target_options()
+{
+    static std::vector<OptionSpec> const specs = {
+        {.key = "value",
+         .default_value = 0.0,
+         .doc = "measured value, in the response's unit",
+         .required = true},
+        {.key = "scale",
+         .default_value = 1.0,
+         .doc = "deviation that counts as one, same unit",
+         .required = true,
+         .lower = positive},
+        {.key = "sd",
+         .default_value = not_given,
+         .doc = "standard deviation of the measurement, same unit",
+         .lower = positive},
+        {.key = "tolerance",
+         .default_value = not_given,
+         .doc = "deviation that is good enough, same unit",
+         .lower = 0},
+    };
+    return specs;
+}
+
+std::vector<OptionSpec> const& factor_options()
+{
+    static std::vector<OptionSpec> const specs = {
+        {.key = "path",
+         .default_value = word,
+         .doc = "the number to be found, e.g. contact.A_B.static_friction",
+         .required = true},
+        {.key = "name",
+         .default_value = word,
+         .doc = "short name in tables, plots and constraints; empty: the last part of the path"},
+        {.key = "lower", .default_value = not_given, .doc = "smallest value, in the unit of the path"},
+        {.key = "upper", .default_value = not_given, .doc = "largest value, in the unit of the path"},
+        {.key = "scale",
+         .default_value = std::string("linear"),
+         .doc = "whether equal steps or equal ratios count the same",
+         .choices = {"linear", "log"}},
+    };
+    return specs;
+}
+
+std::vector<OptionSpec> const& constraint_options()
+{
+    static std::vector<OptionSpec> const specs = {
+        {.key = "expression",
+         .default_value = word,
+         .doc = "linear inequality of factors, e.g. \"kinetic_friction <= static_friction\"",
+         .required = true},
+    };
+    return specs;
+}
+
+std::vector<ListSpec> const& size_distribution_lists()
+{
+    static std::vector<ListSpec> const specs = {
+        {"diameters_mm", "numbers", "sphere diameters, not decreasing [mm]"},
+        {"cumulative_mass_fraction", "numbers",
+         "share of the mass below each of `diameters_mm`, up to 1 [-]"},
+        {"classes_mm", "numbers", "instead of the two above: diameters of discrete classes [mm]"},
+        {"mass_fraction", "numbers", "share of the mass in each of `classes_mm`; they sum to 1 [-]"},
+    };
+    return specs;
+}
+
+std::vector<ListSpec> const& factor_lists()
+{
+    static std::vector<ListSpec> const specs = {
+        {"levels", "numbers", "the only values it may take, ascending; lower and upper may then be left out"},
+    };
+    return specs;
+}
+
+std::vector<ListSpec> const& design_lists()
+{
+    static std::vector<ListSpec> const specs = {
+        {"generators", "words", "fractional_factorial: words such as \"E=ABC\""},
+        {"table", "rows of numbers", "table: one row of factor values for each design point, in own units"},
+    };
+    return specs;
+}
+
+std::vector<SectionInfo> const& all_sections()
+{
+    static std::vector<SectionInfo> const sections = {
+        {"[campaign]", "the campaign as a whole", campaign_options()},
+        {"[material.NAME]", "a material of particles or walls", contact::material_options()},
+        {"[contact.A_B]", "laws and coefficients of the pair of materials A and B, in either order",
+         contact::pair_options()},
+        {"[size_distribution.NAME]", "sphere sizes by mass", {}, size_distribution_lists()},
+        {"[[experiment]]", "a rig under one set of conditions; beside these keys those of its rig",
+         experiment_options()},
+        {"target.RESPONSE", "in an experiment: a measured value that the response of the rig should meet",
+         target_options()},
+        {"[[factor]]", "a number of the input that is to be found", factor_options(), factor_lists()},
+        {"[[constraint]]", "what the factors must satisfy together", constraint_options()},
+        {"[design]", "the first wave of runs", specs_of<DesignOptions>(), design_lists()},
+        {"[surrogate]", "what stands in for the simulation during the search", specs_of<SurrogateOptions>()},
+        {"[solver]", "how the next waves are chosen", specs_of<SolverOptions>()},
+        {"[stop]", "when the campaign ends: at the first of these", specs_of<StopOptions>()},
+        {"[run]", "how runs are executed", specs_of<RunOptions>()},
+    };
+    return sections;
+}
+
+std::vector<std::string> keys_of(std::vector<OptionSpec> const& specs)
+{
+    std::vector<std::string> keys;
+    for (auto const& spec : specs)
+        keys.push_back(spec.key);
+    return keys;
+}
+
+std::vector<std::string> keys_of(std::vector<ListSpec> const& specs)
+{
+    std::vector<std::string> keys;
+    for (auto const& spec : specs)
+        keys.push_back(spec.key);
+    return keys;
+}
+
+} // namespace demens::ensemble::input

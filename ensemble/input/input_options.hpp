@@ -1,0 +1,44 @@
+#pragma once
+
+#include "demens/base/options.hpp"
+
+#include <string>
+#include <vector>
+
+namespace demens::ensemble::input {
+
+//! A key whose value is a list.
+struct ListSpec
+{
+    std::string key;
+    std::string type; //!< "numbers", "words", "rows of numbers"
+    std::string doc;  //!< one line
+};
+
+//! A section of a campaign's TOML file. Reader, help and documentation are made from these.
+struct SectionInfo
+{
+    std::string heading; //!< as written, e.g. `[material.NAME]` or `[[factor]]`
+    std::string doc;     //!< one line
+    std::vector<OptionSpec> options;
+    std::vector<ListSpec> lists = {};
+};
+
+//! Keys of `[campaign]`, of `[[experiment]]` beside its rig's own, of a target, a factor and a constraint.
+std::vector<OptionSpec> const& campaign_options();
+std::vector<OptionSpec> const& experiment_options();
+std::vector<OptionSpec> const& target_options();
+std::vector<OptionSpec> const& factor_options();
+std::vector<OptionSpec> const& constraint_options();
+std::vector<ListSpec> const& size_distribution_lists();
+std::vector<ListSpec> const& factor_lists();
+std::vector<ListSpec> const& design_lists();
+
+//! All sections in the order in which an author writes them.
+std::vector<SectionInfo> const& all_sections();
+
+//! Keys of options and lists.
+std::vector<std::string> keys_of(std::vector<OptionSpec> const& specs);
+std::vector<std::string> keys_of(std::vector<ListSpec> const& specs);
+
+} // namespace demens::ensemble::input

@@ -1,0 +1,194 @@
+#include "ensemble/input/resolved_text.hpp"
+
+#include "ensemble/input/input_options.hpp"
+#include "ensemble/input/section.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <sstream>
+
+namespace demens::ensemble::input {
+namespace {
+
+std::string quoted(std::string const& text)
+{
+    std::ostringstream out;
+    out << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
+    return out.str();
+}
+
+//! The shortest text that reads back as the same number.
+std::string number(double value)
+{
+    auto text = fmt::format("{}", value);
+    if (text.find_first_of(".e") == std::string::npos)
+        text += ".0";
+    return text;
+}
+
+std::string text_of(OptionValue const& value)
+{
+    struct
+    {
+        std::string operator()(double v) const { return number(v); }
+        std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
+        std::string operator()(bool v) const { return v ? "true" : "false"; }
+        std::string operator()(std::string const& v) const { return quoted(v); }
+    } const text;
+    return std::visit(text, value);
+}
+
+//! An option that its author may leave without any value.
+bool is_absent(OptionValue const& value)
+{
+    return std::holds_alternative<double>(value) && std::isnan(std::get<double>(value));
+}
+
+template <class Values, class Text>
+std::string list(Values const& values, Text const& text)
+{
+    std::string joined;
+    for (auto const& value : values)
+        joined += (joined.empty() ? "" : ", ") + text(value);
+    return "[" + joined + "]";
+}
+
+//! Writes sections one after the other.
+class Writer
+{
+  public:
+    void heading(std::string const& heading) { text_ += "\n" + heading + "\n"; }
+    void line(std::string const& key, std::string const& value, std::string const& doc)
+    {
+        text_ += fmt::format("{} = {} # {}\n", key, value, doc);
+    }
+    void options(std::vector<OptionSpec> const& specs, OptionValues const& values)
+    {
+        for (auto const& spec : specs)
+            if (auto const& value = values.all().at(spec.key); !is_absent(value))
+                line(spec.key, text_of(value), spec.doc);
+    }
+    void lists(std::vector<ListSpec> const& specs, std::map<std::string, std::string> const& values)
+    {
+        for (auto const& spec : specs)
+            if (auto const found = values.find(spec.key); found != values.end())
+                line(spec.key, found->second, spec.doc);
+    }
+    template <class Section>
+    void section(std::string const& name, Section const& section)
+    {
+        heading("[" + name + "]");
+        options(specs_of<Section>(), values_of(section));
+    }
+    std::string const& text() const { return text_; }
+
+  private:
+    std::string text_ = "# Every key of this campaign with its value.\n";
+};
+
+void write_base(Writer& out, BaseInput const& base)
+{
+    for (auto const& material : base.materials) {
+        out.heading("[material." + material.name + "]");
+        out.options(contact::material_options(), material.values);
+    }
+    for (auto const& pair : base.pairs) {
+        out.heading("[contact." + pair.name() + "]");
+        out.options(contact::pair_options(), pair.values);
+    }
+    for (auto const& sizes : base.size_distributions) {
+        out.heading("[size_distribution." + sizes.name + "]");
+        out.lists(
+            size_distribution_lists(),
+            {{sizes.classes ? "classes_mm" : "diameters_mm", list(sizes.diameters, number)},
+             {sizes.classes ? "mass_fraction" : "cumulative_mass_fraction", list(sizes.fractions, number)}});
+    }
+}
+
+void write_experiment(Writer& out, Experiment const& experiment, OptionValues const& rig_values)
+{
+    out.heading("[[experiment]]");
+    OptionValues header;
+    header.set("name", experiment.name);
+    header.set("rig", experiment.rig->name);
+    header.set("replicates", std::int64_t{experiment.replicates});
+    out.options(experiment_options(), header);
+    out.options(experiment.rig->options, rig_values);
+    for (auto const& target : experiment.targets) {
+        OptionValues values;
+        values.set("value", target.value);
+        values.set("scale", target.scale);
+        values.set("sd", target.sd);
+        values.set("tolerance", target.tolerance);
+        std::string members;
+        for (auto const& spec : target_options())
+            if (auto const& value = values.all().at(spec.key); !is_absent(value))
+                members += fmt::format("{}{} = {}", members.empty() ? "" : ", ", spec.key, text_of(value));
+        auto const& response = experiment.rig->responses[static_cast<std::size_t>(target.response_index)];
+        out.line("target." + target.response, "{ " + members + " }", response.doc);
+    }
+}
+
+void write_factor(Writer& out, Factor const& factor)
+{
+    out.heading("[[factor]]");
+    OptionValues values;
+    values.set("path", factor.path);
+    values.set("name", factor.name);
+    values.set("lower", factor.lower);
+    values.set("upper", factor.upper);
+    values.set("scale", std::string(factor.log_scale ? "log" : "linear"));
+    out.options(factor_options(), values);
+    if (!factor.levels.empty())
+        out.lists(factor_lists(), {{"levels", list(factor.levels, number)}});
+}
+
+void write_design(Writer& out, DesignOptions const& design)
+{
+    out.heading("[design]");
+    // Keys of other kinds of design would be refused when read.
+    std::map<std::string, std::string> const owner = {{"axial_distance", "central_composite"},
+                                                      {"levels", "full_factorial"}};
+    std::vector<OptionSpec> specs;
+    for (auto const& spec : specs_of<DesignOptions>())
+        if (auto const found = owner.find(spec.key); found == owner.end() || found->second == design.kind)
+            specs.push_back(spec);
+    out.options(specs, values_of(design));
+    std::map<std::string, std::string> lists;
+    if (!design.generators.empty())
+        lists["generators"] = list(design.generators, quoted);
+    if (!design.table.empty())
+        lists["table"] = list(design.table, [](auto const& row) { return list(row, number); });
+    out.lists(design_lists(), lists);
+}
+
+} // namespace
+
+std::string resolved_text(CampaignInput const& input, BaseInput const& base)
+{
+    Writer out;
+    OptionValues campaign;
+    campaign.set("name", input.name);
+    campaign.set("seed", static_cast<std::int64_t>(input.seed));
+    out.heading("[campaign]");
+    out.options(campaign_options(), campaign);
+    write_base(out, base);
+    for (std::size_t e = 0; e < input.experiments.size(); ++e)
+        write_experiment(out, input.experiments[e], base.experiments[e]);
+    for (auto const& factor : input.factors)
+        write_factor(out, factor);
+    for (auto const& constraint : input.constraints) {
+        out.heading("[[constraint]]");
+        OptionValues values;
+        values.set("expression", constraint.text);
+        out.options(constraint_options(), values);
+    }
+    write_design(out, input.design);
+    out.section("surrogate", input.surrogate);
+    out.section("solver", input.solver);
+    out.section("stop", input.stop);
+    out.section("run", input.run);
+    return out.text();
+}
+
+} // namespace demens::ensemble::input

@@ -1,0 +1,95 @@
+#include "ensemble/input/section.hpp"
+
+namespace demens::ensemble::input {
+
+template <>
+std::vector<Field<DesignOptions>> const& fields_of()
+{
+    static std::vector<Field<DesignOptions>> const fields = {
+        field(&DesignOptions::kind,
+              {.key = "kind",
+               .doc = "how the points of the first wave are chosen",
+               .choices = {"latin_hypercube", "sobol", "full_factorial", "fractional_factorial",
+                           "central_composite", "box_behnken", "d_optimal", "table"}}),
+        field(
+            &DesignOptions::points,
+            {.key = "points", .doc = "number of design points; 0: as many as suit the factors", .lower = 0}),
+        field(&DesignOptions::centre_repetitions,
+              {.key = "centre_repetitions", .doc = "extra points at the centre of the factors", .lower = 0}),
+        field(&DesignOptions::axial_distance,
+              {.key = "axial_distance",
+               .doc = "central_composite: distance of the axial points in half ranges; 0: rotatable",
+               .lower = 0}),
+        field(&DesignOptions::levels,
+              {.key = "levels", .doc = "full_factorial: levels of each factor", .lower = 2}),
+    };
+    return fields;
+}
+
+template <>
+std::vector<Field<SurrogateOptions>> const& fields_of()
+{
+    static std::vector<Field<SurrogateOptions>> const fields = {
+        field(&SurrogateOptions::kind, {.key = "kind",
+                                        .doc = "model of each response between the runs",
+                                        .choices = {"quadratic", "rbf"}}),
+    };
+    return fields;
+}
+
+template <>
+std::vector<Field<SolverOptions>> const& fields_of()
+{
+    static std::vector<Field<SolverOptions>> const fields = {
+        field(&SolverOptions::kind,
+              {.key = "kind", .doc = "search on the surrogate", .choices = {"pounders"}}),
+        field(&SolverOptions::starts,
+              {.key = "starts", .doc = "starts of the search on the surrogate", .lower = 1}),
+        field(&SolverOptions::batch,
+              {.key = "batch",
+               .doc = "new design points per wave; 0: twice the number of factors, at least 4",
+               .lower = 0}),
+    };
+    return fields;
+}
+
+template <>
+std::vector<Field<StopOptions>> const& fields_of()
+{
+    static std::vector<Field<StopOptions>> const fields = {
+        field(&StopOptions::wmse,
+              {.key = "wmse",
+               .doc = "stop when the best point's weighted mean square error is at most this; 0: never",
+               .lower = 0}),
+        field(&StopOptions::within_tolerance,
+              {.key = "within_tolerance", .doc = "stop when every target that has a tolerance is met"}),
+        field(&StopOptions::waves, {.key = "waves", .doc = "most waves after the design", .lower = 0}),
+        field(&StopOptions::runs, {.key = "runs", .doc = "most runs in all", .lower = 1}),
+        field(
+            &StopOptions::wall_time_s,
+            {.key = "wall_time_s", .doc = "longest wall time of the campaign [s]; 0: no limit", .lower = 0}),
+        field(&StopOptions::no_improvement_waves, {.key = "no_improvement_waves",
+                                                   .doc = "stop after so many waves without a better point",
+                                                   .lower = 1}),
+        field(&StopOptions::confirmation,
+              {.key = "confirmation",
+               .doc = "times the best point is repeated, with new packings, before the campaign ends",
+               .lower = 0}),
+    };
+    return fields;
+}
+
+template <>
+std::vector<Field<RunOptions>> const& fields_of()
+{
+    static std::vector<Field<RunOptions>> const fields = {
+        field(&RunOptions::ranks_per_group,
+              {.key = "ranks_per_group", .doc = "MPI ranks that share one run", .lower = 1}),
+        field(&RunOptions::run_wall_time_s, {.key = "run_wall_time_s",
+                                             .doc = "a slower run counts as timed out [s]; 0: no limit",
+                                             .lower = 0}),
+    };
+    return fields;
+}
+
+} // namespace demens::ensemble::input

@@ -1,0 +1,157 @@
+#include "ensemble/input/whole_checks.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace demens::ensemble::input {
+namespace {
+
+using Point = std::vector<double>;
+
+//! Text of the first constraint that a point breaks; empty when it satisfies all.
+std::string broken_constraint(CampaignInput const& input, Point const& point)
+{
+    for (auto const& constraint : input.constraints) {
+        double sum = 0;
+        for (std::size_t f = 0; f < point.size(); ++f)
+            sum += constraint.coefficients[f] * point[f];
+        if (sum > constraint.bound)
+            return constraint.text;
+    }
+    return {};
+}
+
+void check_design(InputTable const& design, CampaignInput const& input)
+{
+    auto const belongs_to = [&](char const* key, char const* kind) {
+        if (design.has(key) && input.design.kind != kind)
+            throw design.error(key,
+                               fmt::format("belongs to kind = \"{}\", not \"{}\"", kind, input.design.kind));
+    };
+    belongs_to("table", "table");
+    belongs_to("generators", "fractional_factorial");
+    belongs_to("axial_distance", "central_composite");
+    belongs_to("levels", "full_factorial");
+    if (input.design.kind == "table" && input.design.table.empty())
+        throw design.error("kind",
+                           "needs table = [[...], ...] with one row of factor values for each design point");
+
+    for (std::size_t row = 0; row < input.design.table.size(); ++row) {
+        auto const& point = input.design.table[row];
+        auto const where = fmt::format("row {} ({})", row + 1, fmt::join(point, ", "));
+        if (point.size() != input.factors.size())
+            throw design.error("table", fmt::format("{} has {} values; there are {} factors", where,
+                                                    point.size(), input.factors.size()));
+        for (std::size_t f = 0; f < point.size(); ++f) {
+            auto const& factor = input.factors[f];
+            if (point[f] < factor.lower || point[f] > factor.upper)
+                throw design.error("table", fmt::format("{}: {} = {} is outside its bounds {} and {}", where,
+                                                        factor.name, point[f], factor.lower, factor.upper));
+        }
+        if (auto const broken = broken_constraint(input, point); !broken.empty())
+            throw design.error("table", fmt::format("{} breaks the constraint \"{}\"", where, broken));
+    }
+}
+
+void check_budget(InputTable const& design, InputTable const& stop, CampaignInput const& input)
+{
+    int runs_per_point = 0;
+    std::size_t targets = 0;
+    for (auto const& experiment : input.experiments) {
+        runs_per_point += experiment.replicates;
+        targets += experiment.targets.size();
+    }
+    if (targets == 0 && input.stop.waves > 0)
+        throw stop.error("no experiment has a target, so that there is nothing to search for; give "
+                         "target.RESPONSE = { value = ..., scale = ... } or, to run the design alone, "
+                         "waves = 0 in [stop]");
+    int const points =
+        input.design.kind == "table" ? static_cast<int>(input.design.table.size()) : input.design.points;
+    if (static_cast<long>(points) * runs_per_point > input.stop.runs)
+        throw design.error(
+            input.design.kind == "table" ? "table" : "points",
+            fmt::format("{} design points need {} runs ({} each), but [stop] runs = {}; raise one or "
+                        "lower the other",
+                        points, static_cast<long>(points) * runs_per_point, runs_per_point, input.stop.runs));
+}
+
+//! Corners of the box of factors; of many factors only a few points on its faces.
+std::vector<Point> extreme_points(std::vector<Factor> const& factors)
+{
+    constexpr std::size_t most_factors_for_all_corners = 8;
+    std::vector<Point> points;
+    if (factors.size() <= most_factors_for_all_corners) {
+        for (std::size_t corner = 0; corner < std::size_t{1} << factors.size(); ++corner) {
+            Point point;
+            for (std::size_t f = 0; f < factors.size(); ++f)
+                point.push_back(corner >> f & 1 ? factors[f].upper : factors[f].lower);
+            points.push_back(std::move(point));
+        }
+        return points;
+    }
+    Point lower, upper, middle;
+    for (auto const& factor : factors) {
+        lower.push_back(factor.lower);
+        upper.push_back(factor.upper);
+        middle.push_back(0.5 * (factor.lower + factor.upper));
+    }
+    points = {lower, upper};
+    for (std::size_t f = 0; f < factors.size(); ++f) {
+        for (double bound : {lower[f], upper[f]}) {
+            points.push_back(middle);
+            points.back()[f] = bound;
+        }
+    }
+    return points;
+}
+
+//! What a rig has against an experiment at a point (empty: at the base values); empty when nothing.
+std::string refusal(CampaignInput const& input, BaseInput const& base, std::size_t experiment,
+                    Point const& point)
+{
+    try {
+        auto const run = make_run_input(base, point, static_cast<int>(experiment), input.seed);
+        if (auto const& check = input.experiments[experiment].rig->check)
+            check(run);
+    } catch (InputError const& error) {
+        return error.what();
+    }
+    return {};
+}
+
+} // namespace
+
+void check_sections(InputTable const& file, CampaignInput const& input)
+{
+    auto const design = file.table("design");
+    check_design(design, input);
+    check_budget(design, file.table("stop"), input);
+}
+
+void check_rigs(CampaignInput const& input, BaseInput const& base,
+                std::vector<InputTable> const& experiment_tables)
+{
+    auto const points = extreme_points(input.factors);
+    for (std::size_t e = 0; e < input.experiments.size(); ++e) {
+        auto const& rig = input.experiments[e].rig->name;
+        if (auto const reason = refusal(input, base, e, {}); !reason.empty())
+            throw experiment_tables[e].error(fmt::format("the rig {} cannot run this: {}", rig, reason));
+        for (auto const& point : points) {
+            if (!broken_constraint(input, point).empty())
+                continue;
+            auto const reason = refusal(input, base, e, point);
+            if (reason.empty())
+                continue;
+            std::string values;
+            for (std::size_t f = 0; f < point.size(); ++f)
+                values += fmt::format("{}{} = {}", f ? ", " : "", input.factors[f].name, point[f]);
+            throw experiment_tables[e].error(fmt::format(
+                "the rig {} cannot run this where the factors are {}: {}; narrow the bounds of these "
+                "factors or add a [[constraint]]",
+                rig, values, reason));
+        }
+    }
+}
+
+} // namespace demens::ensemble::input
