@@ -39,7 +39,7 @@ DEMENS_INLINE void store_scalars(ContactBlock& b, int first, int l, double const
 }
 
 template <class Law>
-DEMENS_MULTIVERSION void normal_stage(ContactBlock& b, Law const& law, double time_step)
+DEMENS_MULTIVERSION void normal_stage(ContactBlock& b, Law const law, double time_step)
 {
     constexpr int n = Law::state_scalars;
 #pragma GCC ivdep
@@ -58,7 +58,7 @@ DEMENS_MULTIVERSION void normal_stage(ContactBlock& b, Law const& law, double ti
 }
 
 template <class Law>
-DEMENS_MULTIVERSION void tangential_stage(ContactBlock& b, Law const& law, double time_step, int scalars_at,
+DEMENS_MULTIVERSION void tangential_stage(ContactBlock& b, Law const law, double time_step, int scalars_at,
                                           int vector_at)
 {
     constexpr int n = Law::state_scalars;
@@ -80,7 +80,7 @@ DEMENS_MULTIVERSION void tangential_stage(ContactBlock& b, Law const& law, doubl
 }
 
 template <class Law>
-DEMENS_MULTIVERSION void rolling_stage(ContactBlock& b, Law const& law, double time_step, int vector_at)
+DEMENS_MULTIVERSION void rolling_stage(ContactBlock& b, Law const law, double time_step, int vector_at)
 {
 #pragma GCC ivdep
     for (int l = 0; l < lanes; ++l) {
@@ -138,10 +138,13 @@ StateLayout state_layout(contact::LawSet const& laws)
     return {scalars, scalars + 3 * (vectors_of_any(laws.tangential) + vectors_of_any(laws.rolling))};
 }
 
-DEMENS_MULTIVERSION double derive_geometry(ContactBlock& b, bool with_wall)
+namespace {
+
+template <bool with_wall>
+DEMENS_MULTIVERSION double geometry_stage(ContactBlock& b)
 {
     // A wall is flat and cannot be moved: it adds neither curvature nor mass, and its point of contact is its own.
-    double const partner = with_wall ? 0.0 : 1.0;
+    constexpr double partner = with_wall ? 0.0 : 1.0;
     double largest[lanes];
 #pragma GCC ivdep
     for (int l = 0; l < lanes; ++l) {
@@ -178,6 +181,13 @@ DEMENS_MULTIVERSION double derive_geometry(ContactBlock& b, bool with_wall)
     for (int l = 0; l < lanes; ++l)
         result = largest[l] > result ? largest[l] : result;
     return result;
+}
+
+} // namespace
+
+double derive_geometry(ContactBlock& block, bool with_wall)
+{
+    return with_wall ? geometry_stage<true>(block) : geometry_stage<false>(block);
 }
 
 void evaluate_laws(ContactBlock& block, contact::LawSet const& laws, double time_step)

@@ -36,8 +36,15 @@ DEMENS_INLINE DEMENS_FUNCTION Vector3 turned_into_plane(Vector3 const& stored, V
     double const before = norm_squared(stored);
     double const after = norm_squared(in_plane);
     // A vector along the normal has no direction in the plane: it is dropped.
-    double const scale = after > 1e-30 * before && after > 0 ? std::sqrt(before / after) : 0.0;
+    double const scale = std::sqrt(after > 1e-30 * before ? before / after : 0.0);
     return scale * in_plane;
+}
+
+//! Factor in [0, 1] that brings a vector of length `size` to at most `limit`.
+DEMENS_INLINE DEMENS_FUNCTION double share_within(double size, double limit)
+{
+    double const larger = size > limit ? size : limit;
+    return limit / (larger > 1e-300 ? larger : 1e-300);
 }
 
 //! Static and kinetic friction with a state: a contact that slides resists with the kinetic coefficient and sticks
@@ -51,9 +58,10 @@ struct CoulombFriction
     DEMENS_INLINE DEMENS_FUNCTION double limit(double trial, double normal_force, double& sliding) const
     {
         double const threshold = (sliding > 0.5 ? kinetic_coefficient : static_coefficient) * normal_force;
+        double const size = trial > 1e-300 ? trial : 1e-300;
         bool const slides = trial > threshold;
         sliding = slides ? 1.0 : 0.0;
-        return slides ? kinetic_coefficient * normal_force / trial : 1.0;
+        return (slides ? kinetic_coefficient * normal_force : size) / size;
     }
 };
 

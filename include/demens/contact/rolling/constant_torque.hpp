@@ -19,9 +19,9 @@ class ConstantTorqueRolling
     {
         double const spin = norm(contact.relative_spin);
         double const limit = coefficient_ * contact.effective_radius * normal.limit;
-        double const stopping = contact.rolling_inertia * spin / contact.time_step;
-        double const torque = limit < stopping ? limit : stopping;
-        double const scale = spin > 0 ? -torque / spin : 0.0;
+        double const resisting = limit / (spin > 1e-300 ? spin : 1e-300);
+        double const stopping = contact.rolling_inertia / contact.time_step;
+        double const scale = resisting < stopping ? -resisting : -stopping;
         return scale * contact.relative_spin;
     }
 

@@ -32,11 +32,11 @@ class EpsdRolling
         Vector3 const spin = rolling_spin(contact);
         Vector3 const trial =
             turned_into_plane(vectors[0], contact.normal) - (stiffness * contact.time_step) * spin;
-        double const size = norm(trial);
         double const limit = arm * normal.limit;
-        bool const rolls = size > limit;
-        vectors[0] = (rolls ? limit / size : 1.0) * trial;
-        double const viscous = rolls ? 0.0 : -2 * damping_ * std::sqrt(contact.rolling_inertia * stiffness);
+        double const share = share_within(norm(trial), limit);
+        double const viscous =
+            (share < 1 ? 0.0 : -2 * damping_) * std::sqrt(contact.rolling_inertia * stiffness);
+        vectors[0] = share * trial;
         return vectors[0] + viscous * spin;
     }
 

@@ -24,9 +24,7 @@ class Epsd2Rolling
         double const stiffness = 8 * shear_modulus_ * std::sqrt(radius * contact.overlap) * radius * radius;
         Vector3 const trial = turned_into_plane(vectors[0], contact.normal) -
                               (stiffness * contact.time_step) * rolling_spin(contact);
-        double const size = norm(trial);
-        double const limit = coefficient_ * radius * normal.limit;
-        vectors[0] = (size > limit ? limit / size : 1.0) * trial;
+        vectors[0] = share_within(norm(trial), coefficient_ * radius * normal.limit) * trial;
         return vectors[0];
     }
 

@@ -26,12 +26,13 @@ class MindlinRescaleTangential
     {
         double const stiffness = 8 * shear_modulus_ * std::sqrt(contact.effective_radius * contact.overlap);
         double const old_overlap = scalars[1];
-        double const shrink = contact.overlap < old_overlap ? std::sqrt(contact.overlap / old_overlap) : 1.0;
+        double const larger = contact.overlap < old_overlap ? old_overlap : contact.overlap;
+        double const shrink = std::sqrt(contact.overlap / larger);
         Vector3 const displacement = shrink * turned_into_plane(vectors[0], contact.normal) +
                                      contact.time_step * contact.tangent_velocity;
         double const trial = stiffness * norm(displacement);
         double const share = friction_.limit(trial, normal.limit, scalars[0]);
-        double const viscous = scalars[0] > 0.5 ? 0.0 : damping_ * std::sqrt(stiffness * contact.effective_mass);
+        double const viscous = (1 - scalars[0]) * damping_ * std::sqrt(stiffness * contact.effective_mass);
         vectors[0] = share * displacement;
         scalars[1] = contact.overlap;
         return viscous * contact.tangent_velocity - (share * stiffness) * displacement;
