@@ -15,13 +15,17 @@ struct Design
     std::vector<std::string> notes; //!< points moved or dropped for a constraint, aliases, ...
 };
 
-//! The design that the options name; every point is within bounds and constraints. The same seed gives the same
-//! design. \throws InputError when the options do not fit the factors.
+//! Words that `[design] kind` may be.
+std::vector<std::string> design_kinds();
+
+//! The design that the options name; every point is within bounds and constraints. The same seed gives the
+//! same design. \throws InputError when the options do not fit the factors.
 Design plan_design(ensemble::DesignOptions const& options, std::vector<ensemble::Factor> const& factors,
                    std::vector<ensemble::LinearConstraint> const& constraints, std::uint64_t seed);
 
 //! The points of plan_design().
-Eigen::MatrixXd make_design(ensemble::DesignOptions const& options, std::vector<ensemble::Factor> const& factors,
+Eigen::MatrixXd make_design(ensemble::DesignOptions const& options,
+                            std::vector<ensemble::Factor> const& factors,
                             std::vector<ensemble::LinearConstraint> const& constraints, std::uint64_t seed);
 
 } // namespace demens::tao_calib

@@ -25,7 +25,8 @@ void check(Factor const& factor)
         fail(fmt::format("a logarithmic scale needs lower > 0, not {}", factor.lower));
     if (!std::is_sorted(factor.levels.begin(), factor.levels.end(), std::less_equal<>()))
         fail("levels have to be in ascending order, each once");
-    if (!factor.levels.empty() && (factor.levels.front() < factor.lower || factor.levels.back() > factor.upper))
+    if (!factor.levels.empty() &&
+        (factor.levels.front() < factor.lower || factor.levels.back() > factor.upper))
         fail(fmt::format("levels {} to {} leave the bounds {} to {}", factor.levels.front(),
                          factor.levels.back(), factor.lower, factor.upper));
 }
@@ -37,9 +38,8 @@ double value_at(Factor const& factor, double unit)
         double const place = std::clamp(std::floor(unit * count), 0.0, count - 1);
         return factor.levels[static_cast<std::size_t>(place)];
     }
-    double const value = factor.log_scale
-                             ? factor.lower * std::pow(factor.upper / factor.lower, unit)
-                             : (1 - unit) * factor.lower + unit * factor.upper;
+    double const value = factor.log_scale ? factor.lower * std::pow(factor.upper / factor.lower, unit)
+                                          : (1 - unit) * factor.lower + unit * factor.upper;
     return std::clamp(value, factor.lower, factor.upper);
 }
 
@@ -69,8 +69,8 @@ FactorSpace::FactorSpace(std::vector<Factor> factors, std::vector<ensemble::Line
         check(factor);
     for (auto const& constraint : constraints_)
         if (constraint.coefficients.size() != factors_.size())
-            throw InputError(fmt::format("constraint `{}` has {} coefficients for {} factors", constraint.text,
-                                         constraint.coefficients.size(), factors_.size()));
+            throw InputError(fmt::format("constraint `{}` has {} coefficients for {} factors",
+                                         constraint.text, constraint.coefficients.size(), factors_.size()));
 
     middle_ = Eigen::VectorXd::Constant(size(), 0.5);
     if (!constrained())
@@ -82,7 +82,8 @@ FactorSpace::FactorSpace(std::vector<Factor> factors, std::vector<ensemble::Line
         samples.push_back(sample(random));
         mean += samples.back() / middle_samples;
     }
-    // Logarithmic or discrete factors can bend the region so that its mean is outside: then the sample nearest to it.
+    // Logarithmic or discrete factors can bend the region so that its mean is outside: then the sample
+    // nearest to it.
     middle_ = feasible(own_units(mean))
                   ? mean
                   : *std::min_element(samples.begin(), samples.end(), [&](auto const& a, auto const& b) {
@@ -152,9 +153,10 @@ Eigen::VectorXd FactorSpace::sample(RandomStream& random) const
     std::string texts;
     for (auto const& constraint : constraints_)
         texts += (texts.empty() ? "`" : ", `") + constraint.text + "`";
-    throw InputError(fmt::format("no point within the bounds of the factors meets the constraints {} ({} random points "
-                                 "tried): widen the bounds or loosen a constraint",
-                                 texts, max_draws));
+    throw InputError(
+        fmt::format("no point within the bounds of the factors meets the constraints {} ({} random points "
+                    "tried): widen the bounds or loosen a constraint",
+                    texts, max_draws));
 }
 
 std::optional<Eigen::VectorXd> FactorSpace::pulled_inside(Eigen::VectorXd const& unit) const

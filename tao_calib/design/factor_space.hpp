@@ -8,8 +8,8 @@
 
 namespace demens::tao_calib {
 
-//! The region that the factors may take, seen from the unit cube: linear or logarithmic between the bounds, discrete
-//! factors on their levels, and linear constraints in the factors' own units.
+//! The region that the factors may take, seen from the unit cube: linear or logarithmic between the bounds,
+//! discrete factors on their levels, and linear constraints in the factors' own units.
 class FactorSpace
 {
   public:
@@ -20,7 +20,8 @@ class FactorSpace
     bool constrained() const { return !constraints_.empty(); }
     std::vector<ensemble::Factor> const& factors() const { return factors_; }
 
-    //! Values in own units at a point of the unit cube; a discrete factor takes the level whose share holds the point.
+    //! Values in own units at a point of the unit cube; a discrete factor takes the level whose share holds
+    //! the point.
     Eigen::VectorXd own_units(Eigen::VectorXd const& unit) const;
     //! The same row by row.
     Eigen::MatrixXd own_units_of_rows(Eigen::MatrixXd const& unit) const;
@@ -31,16 +32,18 @@ class FactorSpace
     bool feasible(Eigen::VectorXd const& values) const;
     //! What values (own units) break, in words; empty when they are feasible.
     std::string violation(Eigen::VectorXd const& values) const;
+    //! Point of the unit cube in the middle of the feasible region.
+    Eigen::VectorXd const& middle() const { return middle_; }
     //! Draws a point of the unit cube, uniform over the part that is feasible.
     Eigen::VectorXd sample(RandomStream& random) const;
-    //! The last feasible point on the way from the middle of the feasible region to `unit`, or nothing when the
-    //! levels of discrete factors leave none there.
+    //! The last feasible point on the way from the middle of the feasible region to `unit`, or nothing when
+    //! the levels of discrete factors leave none there.
     std::optional<Eigen::VectorXd> pulled_inside(Eigen::VectorXd const& unit) const;
 
   private:
     std::vector<ensemble::Factor> factors_;
     std::vector<ensemble::LinearConstraint> constraints_;
-    Eigen::VectorXd middle_; //!< unit-cube mean of the feasible region
+    Eigen::VectorXd middle_;
 };
 
 } // namespace demens::tao_calib

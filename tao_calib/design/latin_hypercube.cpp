@@ -7,8 +7,8 @@
 #include <utility>
 
 // Both designs minimise the criterion of Morris and Mitchell (1995, J. Stat. Plan. Inference 43:381),
-// phi = sum over pairs of distance^-p, which for large p orders designs by their smallest distance and then by how many
-// pairs are that close, with simulated annealing.
+// phi = sum over pairs of distance^-p, which for large p orders designs by their smallest distance and then
+// by how many pairs are that close, with simulated annealing.
 
 namespace demens::tao_calib {
 namespace {
@@ -25,7 +25,10 @@ double pair_repulsion(double squared_distance)
     return fifth * fifth;
 }
 
-double cooling(int steps) { return std::pow(last_temperature / first_temperature, 1.0 / steps); }
+double cooling(int steps)
+{
+    return std::pow(last_temperature / first_temperature, 1.0 / steps);
+}
 
 int steps_per_restart(int points)
 {
@@ -183,10 +186,11 @@ Eigen::MatrixXi strata_of(Eigen::MatrixXd const& candidates, int count)
 
 } // namespace
 
-// In a cut region no exact Latin hypercube need exist (kinetic <= static over equal bounds leaves only the diagonal).
-// So the strata of a factor are made equally likely over the region itself, and points are picked from many random
-// feasible ones such that few strata stay empty and the points keep apart.
-ConstrainedLatinHypercube constrained_latin_hypercube(FactorSpace const& space, int points, std::uint64_t seed)
+// In a cut region no exact Latin hypercube need exist (kinetic <= static over equal bounds leaves only the
+// diagonal). So the strata of a factor are made equally likely over the region itself, and points are picked
+// from many random feasible ones such that few strata stay empty and the points keep apart.
+ConstrainedLatinHypercube constrained_latin_hypercube(FactorSpace const& space, int points,
+                                                      std::uint64_t seed)
 {
     RandomStream random(seed);
     int const candidate_count = std::max(2000, 50 * points);
@@ -211,7 +215,9 @@ ConstrainedLatinHypercube constrained_latin_hypercube(FactorSpace const& space, 
         return sum;
     };
     // One empty stratum counts as much as halving the smallest distance would.
-    auto cost = [&](double repulsion) { return std::log(repulsion) + selection.empty_strata() * 10 * std::log(4.0); };
+    auto cost = [&](double repulsion) {
+        return std::log(repulsion) + selection.empty_strata() * 10 * std::log(4.0);
+    };
     double repulsion = points > 1 ? phi() : 1;
     double current = cost(repulsion);
     for (int step = 0; step < steps && points > 1; ++step, temperature *= cool) {

@@ -4,8 +4,8 @@
 
 namespace demens::tao_calib {
 
-//! Latin hypercube whose points keep as far apart as can be found: places 0 ... points-1, each once in every column
-//! [points x factors].
+//! Latin hypercube whose points keep as far apart as can be found: places 0 ... points-1, each once in every
+//! column [points x factors].
 Eigen::MatrixXi maximin_latin_hypercube(int points, int factors, std::uint64_t seed);
 
 //! Smallest squared distance between two rows.
@@ -17,6 +17,7 @@ struct ConstrainedLatinHypercube
     Eigen::MatrixXd unit;
     int empty_strata; //!< of points x factors equally likely strata, how many hold no point
 };
-ConstrainedLatinHypercube constrained_latin_hypercube(FactorSpace const& space, int points, std::uint64_t seed);
+ConstrainedLatinHypercube constrained_latin_hypercube(FactorSpace const& space, int points,
+                                                      std::uint64_t seed);
 
 } // namespace demens::tao_calib

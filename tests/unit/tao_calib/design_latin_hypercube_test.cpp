@@ -75,8 +75,8 @@ TEST(LatinHypercube, ConstraintsHoldAndStrataAreFilled)
     EXPECT_TRUE((design.points.col(1).array() <= design.points.col(0).array()).all());
     EXPECT_TRUE((design.points.array() >= 0.1).all() && (design.points.array() <= 1.2).all());
     EXPECT_TRUE(design.notes.empty()) << design.notes.front();
-    // Over the triangle P(static < s) = ((s - 0.1) / 1.1)^2: twelve equally likely strata, one point each, but for the
-    // sampling error of the strata's limits.
+    // Over the triangle P(static < s) = ((s - 0.1) / 1.1)^2: twelve equally likely strata, one point each,
+    // but for the sampling error of the strata's limits.
     std::set<int> strata;
     for (double s : design.points.col(0))
         strata.insert(static_cast<int>(count * (s - 0.1) * (s - 0.1) / (1.1 * 1.1)));
@@ -100,8 +100,8 @@ TEST(LatinHypercube, ConstraintThatNothingMeetsIsAnError)
     try {
         make_design(latin_hypercube(5), {static_friction, kinetic_friction}, {impossible}, 1);
         FAIL();
-    }
-    catch (InputError const& error) {
-        EXPECT_NE(std::string(error.what()).find("`static_friction <= -1`"), std::string::npos) << error.what();
+    } catch (InputError const& error) {
+        EXPECT_NE(std::string(error.what()).find("`static_friction <= -1`"), std::string::npos)
+            << error.what();
     }
 }

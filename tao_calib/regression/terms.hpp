@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace demens::tao_calib {
+
+//! A product of powers of the factors, e.g. A^2 B.
+struct Term
+{
+    std::vector<int> exponents; //!< one per factor
+
+    int degree() const;
+    //! Whether this term is a factor of the other one, itself included: A and A^2 are marginal to A^2 B.
+    bool marginal_to(Term const& other) const;
+    double value(Eigen::VectorXd const& coded) const;
+    //! "constant", "A", "A*B", "A^2".
+    std::string name(std::vector<std::string> const& factors) const;
+
+    bool operator==(Term const&) const = default;
+};
+
+//! Which products of the factors a polynomial holds.
+enum class PolynomialModel
+{
+    linear,      //!< constant and main effects
+    interaction, //!< and products of two factors
+    quadratic    //!< and squares
+};
+
+//! \throws InputError for a word that names none.
+PolynomialModel polynomial_model(std::string const& name);
+
+//! Constant, main effects, products, squares; in the order of the factors.
+std::vector<Term> polynomial_terms(PolynomialModel model, int factors);
+
+//! Value of each term at each coded point [points x terms].
+Eigen::MatrixXd model_matrix(std::vector<Term> const& terms, Eigen::MatrixXd const& coded);
+
+} // namespace demens::tao_calib
