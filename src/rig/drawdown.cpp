@@ -1,0 +1,444 @@
+#include "demens/rig/drawdown.hpp"
+
+#include "demens/base/error.hpp"
+#include "demens/observe/surface.hpp"
+#include "demens/rig/common.hpp"
+#include "demens/rig/stage.hpp"
+#include "demens/shape/packing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace demens::rig {
+namespace {
+
+//! The options as numbers in SI units. The origin is the middle of the slot on the floor of the upper box: x across
+//! the slot, y along it, z up.
+struct Drawdown
+{
+    explicit Drawdown(RunInput const& input);
+
+    double bed_height() const { return mass / (bulk_density * width * depth); } //!< [m]
+
+    contact::Model model, filling_model;
+    shape::SizeDistribution const& sizes;
+    std::string material, wood, glass;
+    double mass, density, bulk_density;          // [kg], [kg/m^3]
+    double width, depth, slot, drop, lower_width; // [m]
+    double gate_speed, end_speed, end_fraction;   // [m/s], [m/s], [-]
+    double longest, interval, time_step, skin;    // [s], [s], [s], [m]
+    double wedge_margin;                          // [-]
+};
+
+shape::SizeDistribution const& sizes_of(RunInput const& input)
+{
+    std::string const& name = input.experiment.text("size_distribution");
+    auto const found = input.size_distributions.find(name);
+    if (found == input.size_distributions.end())
+        throw InputError(fmt::format("there is no [size_distribution.{}]", name));
+    return found->second;
+}
+
+Drawdown::Drawdown(RunInput const& input)
+    : model(input.model), filling_model(input.model), sizes(sizes_of(input))
+{
+    OptionValues const& o = input.experiment;
+    material = o.text("material");
+    wood = o.text("wall_material");
+    glass = o.text("window_material");
+    for (auto const& other : {material, wood, glass})
+        require_pair(model, material, other);
+    mass = o.number("mass_kg");
+    density = model.materials[material_index(model, material)].density;
+    bulk_density = o.number("bulk_density");
+    width = 1e-3 * o.number("box_width_mm");
+    depth = 1e-3 * o.number("box_depth_mm");
+    slot = 1e-3 * o.number("slot_width_mm");
+    drop = 1e-3 * o.number("drop_height_mm");
+    lower_width = 1e-3 * o.number("lower_box_width_mm");
+    gate_speed = o.number("gate_speed_m_s");
+    end_speed = o.number("end_speed_m_s");
+    end_fraction = o.number("end_mass_fraction");
+    longest = o.number("longest_discharge_s");
+    interval = o.number("series_interval_s");
+    wedge_margin = o.number("line_margin");
+    time_step = chosen_time_step(o, model, material, sizes.smallest());
+    skin = o.number("skin") * 0.5 * sizes.largest();
+    double const filling = o.number("filling_friction");
+    for (auto& pair : filling_model.pairs) {
+        pair.static_friction = std::min(pair.static_friction, filling);
+        pair.kinetic_friction = std::min(pair.kinetic_friction, filling);
+        pair.rolling_friction = std::min(pair.rolling_friction, 0.1 * filling);
+    }
+}
+
+std::vector<OptionSpec> options()
+{
+    std::vector<OptionSpec> specs = {
+        {.key = "material",
+         .default_value = std::string(),
+         .doc = "material of the particles",
+         .required = true,
+         .names_entry_of = "material"},
+        {.key = "wall_material",
+         .default_value = std::string(),
+         .doc = "material of floors, sides and gate",
+         .required = true,
+         .names_entry_of = "material"},
+        {.key = "window_material",
+         .default_value = std::string(),
+         .doc = "material of the front and the back window",
+         .required = true,
+         .names_entry_of = "material"},
+        {.key = "size_distribution",
+         .default_value = std::string(),
+         .doc = "sizes of the particles",
+         .required = true,
+         .names_entry_of = "size_distribution"},
+        {.key = "mass_kg", .default_value = 1.0, .doc = "mass filled in [kg]", .required = true, .lower = 1e-9},
+        {.key = "bulk_density",
+         .default_value = 1500.0,
+         .doc = "bulk density of the levelled bed [kg/m^3]; with the mass it gives the bed height",
+         .required = true,
+         .lower = 1e-3},
+        {.key = "box_width_mm", .default_value = 548.0, .doc = "inner width of the upper box [mm]", .lower = 1e-3},
+        {.key = "box_depth_mm", .default_value = 97.5, .doc = "distance of the windows [mm]", .lower = 1e-3},
+        {.key = "slot_width_mm", .default_value = 86.0, .doc = "width of the slot in the upper floor [mm]", .lower = 1e-3},
+        {.key = "drop_height_mm",
+         .default_value = 500.0,
+         .doc = "from the upper to the lower floor [mm]",
+         .lower = 1e-3},
+        {.key = "lower_box_width_mm",
+         .default_value = 548.0,
+         .doc = "inner width of the lower box [mm]",
+         .lower = 1e-3},
+        {.key = "gate_speed_m_s",
+         .default_value = 1.0,
+         .doc = "speed at which each half of the gate slides open [m/s]",
+         .lower = 1e-3},
+        {.key = "filling_friction",
+         .default_value = 0.1,
+         .doc = "largest friction while the bed is filled and levelled [-], so that it reaches its bulk density",
+         .lower = 0.0},
+        {.key = "end_speed_m_s",
+         .default_value = 0.2,
+         .doc = "the run ends when no particle is faster [m/s]",
+         .lower = 1e-6},
+        {.key = "end_mass_fraction",
+         .default_value = 0.75,
+         .doc = "... and less than this fraction of the mass is in the upper box [-]",
+         .lower = 0.0,
+         .upper = 1.0},
+        {.key = "longest_discharge_s",
+         .default_value = 30.0,
+         .doc = "a discharge that takes longer is a failed run [s]",
+         .lower = 1e-3},
+        {.key = "line_margin",
+         .default_value = 0.1,
+         .doc = "part of a slope's width left out at either end when its line is fitted [-]",
+         .lower = 0.0,
+         .upper = 0.4},
+        {.key = "series_interval_s",
+         .default_value = 0.02,
+         .doc = "time between two entries of the mass curve [s]",
+         .lower = 1e-4,
+         .upper = 1.0},
+        {.key = "skin",
+         .default_value = 0.3,
+         .doc = "reach of the neighbour lists beyond contact over the largest radius [-]",
+         .lower = 1e-3,
+         .upper = 2.0},
+    };
+    for (auto& spec : time_step_options())
+        specs.push_back(std::move(spec));
+    return specs;
+}
+
+//! Walls that are moved or removed while the rig works.
+struct MovingWalls
+{
+    std::uint32_t gate_left, gate_right, lid;
+};
+
+MovingWalls add_walls(dem::Simulation& simulation, Drawdown const& rig, double top)
+{
+    std::uint32_t const wood = material_index(rig.model, rig.wood), glass = material_index(rig.model, rig.glass);
+    double const beyond = 0.05; // floors reach past the sides, so that no sphere meets an edge there
+    double const half_depth = 0.5 * rig.depth + beyond;
+    auto const floor = [&](double from_x, double to_x, double z) {
+        return dem::Wall{.centre = {0.5 * (from_x + to_x), 0, z},
+                         .axis_u = {1, 0, 0},
+                         .axis_v = {0, 1, 0},
+                         .half_u = 0.5 * (to_x - from_x),
+                         .half_v = half_depth,
+                         .material = wood};
+    };
+    auto const side = [&](double x, double from_z, double to_z) {
+        return dem::Wall{.centre = {x, 0, 0.5 * (from_z + to_z)},
+                         .axis_u = {0, 1, 0},
+                         .axis_v = {0, 0, 1},
+                         .half_u = half_depth,
+                         .half_v = 0.5 * (to_z - from_z),
+                         .material = wood};
+    };
+    double const half = 0.5 * rig.width, half_slot = 0.5 * rig.slot, half_lower = 0.5 * rig.lower_width;
+    double const widest = std::max(half, half_lower) + beyond;
+    for (double const y : {-0.5 * rig.depth, 0.5 * rig.depth})
+        simulation.add_wall({.centre = {0, y, 0.5 * (top - rig.drop)},
+                             .axis_u = {0, 0, 1},
+                             .axis_v = {1, 0, 0},
+                             .half_u = 0.5 * (top + rig.drop) + beyond,
+                             .half_v = widest,
+                             .material = glass});
+    simulation.add_wall(floor(-half - beyond, -half_slot, 0));
+    simulation.add_wall(floor(half_slot, half + beyond, 0));
+    simulation.add_wall(side(-half, 0, top));
+    simulation.add_wall(side(half, 0, top));
+    simulation.add_wall(floor(-widest, widest, -rig.drop));
+    simulation.add_wall(side(-half_lower, -rig.drop, 0));
+    simulation.add_wall(side(half_lower, -rig.drop, 0));
+    // The gate slides in two halves just below the floor.
+    double const gate_z = -0.05 * rig.sizes.smallest();
+    MovingWalls moving{};
+    moving.gate_left = simulation.add_wall(floor(-half_slot - beyond, 0, gate_z));
+    moving.gate_right = simulation.add_wall(floor(0, half_slot + beyond, gate_z));
+    dem::Wall lid = floor(-half, half, top);
+    lid.active = false;
+    moving.lid = simulation.add_wall(lid);
+    return moving;
+}
+
+double highest(dem::Simulation const& simulation)
+{
+    double z = -std::numeric_limits<double>::infinity();
+    for (auto const& p : simulation.particles().place)
+        z = std::max(z, p.z + p.radius);
+    return z;
+}
+
+double mass_above(dem::Simulation const& simulation, double z)
+{
+    double mass = 0;
+    for (std::size_t k = 0; k < simulation.particles().size(); ++k)
+        if (simulation.particles().place[k].z > z)
+            mass += simulation.particles().motion[k].mass;
+    return mass;
+}
+
+double mean_kinetic_energy(dem::Simulation const& simulation)
+{
+    return simulation.kinetic_energy() / static_cast<double>(simulation.particles().size());
+}
+
+//! Rain, rest, and a lid that levels the bed to its height.
+void fill(dem::Simulation& simulation, StageRunner& stages, Drawdown const& rig, MovingWalls const& moving)
+{
+    simulation.set_model(rig.filling_model);
+    // At rest: the mean particle could not rise by a thousandth of a diameter.
+    double const d = rig.sizes.quantile(0.5);
+    double const particle_mass = rig.mass / static_cast<double>(simulation.particles().size());
+    double const at_rest = particle_mass * 9.81 * 1e-3 * d;
+    auto const rests = [&] { return mean_kinetic_energy(simulation) < at_rest; };
+    stages.run_for("fill", 0.1);
+    stages.run_until("fill", 20, rests);
+
+    double const level = rig.bed_height();
+    double const top = highest(simulation);
+    if (top > level) {
+        dem::Wall lid = simulation.walls()[moving.lid];
+        double const duration = 0.1;
+        lid.centre.z = top;
+        lid.velocity = {0, 0, -(top - level) / duration};
+        lid.active = true;
+        simulation.set_wall(moving.lid, lid);
+        stages.run_for("level", duration);
+        lid.centre.z = level;
+        lid.velocity = {};
+        simulation.set_wall(moving.lid, lid);
+        stages.run_until("level", 5, rests);
+    }
+    simulation.set_model(rig.model);
+    dem::Wall lid = simulation.walls()[moving.lid];
+    lid.active = false;
+    simulation.set_wall(moving.lid, lid);
+    stages.run_for("settle", 0.05);
+    stages.run_until("settle", 5, rests);
+}
+
+void set_gate(dem::Simulation& simulation, MovingWalls const& moving, double speed, bool active)
+{
+    for (auto const& [number, direction] : {std::pair{moving.gate_left, -1.0}, std::pair{moving.gate_right, 1.0}}) {
+        dem::Wall half = simulation.walls()[number];
+        half.velocity = {direction * speed, 0, 0};
+        half.active = active;
+        simulation.set_wall(number, half);
+    }
+}
+
+//! Mean angle of the two slopes that fall away from the middle (`falls_outwards`) or towards it [deg].
+double slope_angle(observe::SurfaceProfile const& profile, double inner, double outer, double margin,
+                   bool falls_outwards)
+{
+    double const skip = margin * (outer - inner);
+    auto const left = observe::fit_line(profile, -outer + skip, -inner - skip);
+    auto const right = observe::fit_line(profile, inner + skip, outer - skip);
+    if (left.points < 3 || right.points < 3)
+        return std::numeric_limits<double>::quiet_NaN();
+    double const sign = falls_outwards ? -1 : 1;
+    return 0.5 * sign * (right.angle_deg() - left.angle_deg());
+}
+
+//! Slope of the mass curve while 20 to 80 % of what will leave is leaving [kg/s].
+double mass_flow(std::vector<double> const& time, std::vector<double> const& mass)
+{
+    double const full = mass.front(), leaving = mass.front() - mass.back();
+    std::vector<double> t, m;
+    for (std::size_t k = 0; k < time.size(); ++k)
+        if (mass[k] < full - 0.2 * leaving && mass[k] > full - 0.8 * leaving) {
+            t.push_back(time[k]);
+            m.push_back(mass[k]);
+        }
+    if (t.size() < 3)
+        return std::numeric_limits<double>::quiet_NaN();
+    return -observe::fit_line(t, m).slope;
+}
+
+void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
+{
+    Drawdown const rig(input);
+    RandomStream size_stream(derive_seed(input.seed, 1)), place_stream(derive_seed(input.seed, 2));
+    auto const diameters = rig.sizes.sample_mass(rig.mass, rig.density, size_stream);
+    result.particles = static_cast<std::int64_t>(diameters.size());
+    auto const places = shape::loose_packing(diameters, {-0.5 * rig.width, -0.5 * rig.depth, 1e-4}, rig.width,
+                                             rig.depth, 0.28, place_stream);
+    double top = 0;
+    for (Vector3 const& p : places)
+        top = std::max(top, p.z + rig.sizes.largest());
+
+    double const beyond = std::max(rig.width, rig.lower_width);
+    dem::Simulation simulation(rig.model, {.time_step = rig.time_step,
+                                           .skin = rig.skin,
+                                           .domain_lower = {-beyond, -rig.depth, -rig.drop - 0.1},
+                                           .domain_upper = {beyond, rig.depth, top + 1}});
+    std::uint32_t const material = material_index(rig.model, rig.material);
+    for (std::size_t k = 0; k < places.size(); ++k)
+        simulation.add_particle(places[k], 0.5 * diameters[k], material);
+    MovingWalls const moving = add_walls(simulation, rig, top);
+    StageRunner stages(simulation, hooks, rig.interval);
+
+    result.series = {.names = {"time", "upper_mass", "largest_speed"}, .units = {"s", "kg", "m/s"}, .columns = {{}, {}, {}}};
+    double opened = 0;
+    auto const finish = [&] {
+        result.steps = simulation.steps_done();
+        result.simulated_time = simulation.time();
+    };
+    try {
+        fill(simulation, stages, rig, moving);
+        result.snapshots.push_back(take_snapshot(simulation, "settled"));
+        auto const bed = observe::surface_profile(simulation.particles(), -0.5 * rig.width, 0.5 * rig.width, 200, 0,
+                                                  [](dem::Place const& p) { return p.z > 0; });
+        double bed_height = 0;
+        for (double const z : bed.z)
+            bed_height += z / static_cast<double>(bed.z.size());
+        double const total = mass_above(simulation, 0);
+
+        opened = simulation.time();
+        auto const observe = [&] {
+            result.series.columns[0].push_back(simulation.time() - opened);
+            result.series.columns[1].push_back(mass_above(simulation, 0));
+            result.series.columns[2].push_back(simulation.largest_speed());
+        };
+        auto const& masses = result.series.columns[1];
+        set_gate(simulation, moving, rig.gate_speed, true);
+        stages.run_for("open", 0.5 * rig.slot / rig.gate_speed, observe);
+        set_gate(simulation, moving, 0, false);
+        stages.run_until(
+            "discharge", rig.longest,
+            [&] {
+                return masses.back() < rig.end_fraction * total &&
+                       result.series.columns[2].back() < rig.end_speed;
+            },
+            observe);
+        result.snapshots.push_back(take_snapshot(simulation, "final"));
+
+        auto const heap = observe::surface_profile(simulation.particles(), -0.5 * rig.lower_width,
+                                                   0.5 * rig.lower_width, 400, -rig.drop,
+                                                   [](dem::Place const& p) { return p.z < 0; });
+        auto const wedges = observe::surface_profile(simulation.particles(), -0.5 * rig.width, 0.5 * rig.width, 400, 0,
+                                                     [](dem::Place const& p) { return p.z > 0; });
+        result.responses = {slope_angle(heap, 0, 0.5 * rig.lower_width, rig.wedge_margin, true),
+                            slope_angle(wedges, 0.5 * rig.slot, 0.5 * rig.width, rig.wedge_margin, false),
+                            mass_flow(result.series.columns[0], masses),
+                            masses.back(),
+                            rig.mass / (bed_height * rig.width * rig.depth),
+                            simulation.time() - opened};
+    } catch (...) {
+        finish();
+        throw;
+    }
+    finish();
+}
+
+void check(RunInput const& input)
+{
+    Drawdown const rig(input);
+    if (rig.slot >= rig.width)
+        throw InputError(fmt::format("slot_width_mm = {:.4g} must be smaller than box_width_mm = {:.4g}", 1e3 * rig.slot,
+                                     1e3 * rig.width));
+    if (rig.lower_width < rig.slot)
+        throw InputError(fmt::format("lower_box_width_mm = {:.4g} must be at least slot_width_mm = {:.4g}",
+                                     1e3 * rig.lower_width, 1e3 * rig.slot));
+    if (rig.bulk_density >= 0.74 * rig.density)
+        throw InputError(fmt::format("bulk_density = {:.5g} kg/m^3 cannot be reached: spheres of density {:.5g} kg/m^3 "
+                                     "pack to at most 0.74 of it",
+                                     rig.bulk_density, rig.density));
+    double const largest = rig.sizes.largest();
+    for (auto const& [key, room] : {std::pair{"box_depth_mm", rig.depth}, std::pair{"slot_width_mm", rig.slot}})
+        if (room < 1.05 * largest)
+            throw InputError(fmt::format("no room for the particles: {} = {:.4g} must be larger than the largest "
+                                         "particle, {:.4g} mm",
+                                         key, 1e3 * room, 1e3 * largest));
+    // Even a flat heap of all that can leave must stay below the gate.
+    double const heap = rig.mass / (rig.bulk_density * rig.lower_width * rig.depth);
+    if (heap > rig.drop)
+        throw InputError(fmt::format("no room for the particles: the lower box ({:.4g} mm wide, {:.4g} mm high) does not "
+                                     "hold {:.4g} kg; make lower_box_width_mm or drop_height_mm larger",
+                                     1e3 * rig.lower_width, 1e3 * rig.drop, rig.mass));
+}
+
+double predict_cost(RunInput const& input)
+{
+    Drawdown const rig(input);
+    double const d = rig.sizes.quantile(0.5);
+    double const particles = rig.mass / (rig.density * std::numbers::pi / 6 * d * d * d);
+    // Filling takes about a second; a slot passes about rho sqrt(g) D (b - 1.4 d)^1.5 (Beverloo et al. 1961).
+    double const opening = std::max(rig.slot - 1.4 * d, 0.2 * rig.slot);
+    double const flow = 1.03 * rig.bulk_density * std::sqrt(9.81) * rig.depth * std::pow(opening, 1.5);
+    return particles * (1.5 + 0.75 * rig.mass / flow) / rig.time_step;
+}
+
+} // namespace
+
+RigInfo drawdown_rig()
+{
+    return {.name = "drawdown",
+            .doc = "Draw Down Test: a box empties through a slot into a box below (Roessler et al. 2019)",
+            .options = options(),
+            .responses = {{"angle_of_repose_deg", "deg", "slope of the heap in the lower box, mean of both sides"},
+                          {"shear_angle_deg", "deg", "slope of the wedges left in the upper box, mean of both"},
+                          {"mass_flow_kg_s", "kg/s", "slope of the linear part of the mass curve"},
+                          {"final_mass_kg", "kg", "mass left in the upper box"},
+                          {"bulk_density_kg_m3", "kg/m^3", "of the levelled bed, before the gate opens"},
+                          {"discharge_time_s", "s", "from the opening of the gate to the end of the run"}},
+            .check = check,
+            .predict_cost = predict_cost,
+            .run = [](RunInput const& input, RunHooks const& hooks) {
+                return run_guarded(6, [&](RunResult& result) { run(input, hooks, result); });
+            }};
+}
+
+} // namespace demens::rig

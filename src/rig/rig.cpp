@@ -1,5 +1,8 @@
 #include "demens/rig/rig.hpp"
 
+#include "demens/rig/drawdown.hpp"
+#include "demens/rig/impact.hpp"
+
 #include <algorithm>
 
 namespace demens::rig {
@@ -21,7 +24,7 @@ char const* name_of(RunStatus status)
 
 std::vector<RigInfo> const& all_rigs()
 {
-    static std::vector<RigInfo> const rigs = {};
+    static std::vector<RigInfo> const rigs = {drawdown_rig(), impact_rig()};
     return rigs;
 }
 

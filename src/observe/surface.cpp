@@ -1,0 +1,64 @@
+#include "demens/observe/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace demens::observe {
+
+SurfaceProfile surface_profile(dem::Particles const& particles, double from_x, double to_x, int points, double empty,
+                               std::function<bool(dem::Place const&)> const& select)
+{
+    SurfaceProfile profile{{}, std::vector<double>(static_cast<std::size_t>(points), empty), empty};
+    double const step = (to_x - from_x) / points;
+    for (int k = 0; k < points; ++k)
+        profile.x.push_back(from_x + (k + 0.5) * step);
+    for (dem::Place const& p : particles.place) {
+        if (!select(p))
+            continue;
+        int const first = std::max(0, static_cast<int>(std::ceil((p.x - p.radius - from_x) / step - 0.5)));
+        int const last = std::min(points - 1, static_cast<int>(std::floor((p.x + p.radius - from_x) / step - 0.5)));
+        for (int k = first; k <= last; ++k) {
+            double const dx = profile.x[static_cast<std::size_t>(k)] - p.x;
+            double const top = p.z + std::sqrt(std::max(0.0, p.radius * p.radius - dx * dx));
+            auto& z = profile.z[static_cast<std::size_t>(k)];
+            z = std::max(z, top);
+        }
+    }
+    return profile;
+}
+
+double Line::angle_deg() const { return std::atan(slope) * 180 / std::numbers::pi; }
+
+Line fit_line(std::vector<double> const& x, std::vector<double> const& y)
+{
+    Line line;
+    line.points = static_cast<int>(x.size());
+    if (x.empty())
+        return line;
+    double const n = static_cast<double>(x.size());
+    double mean_x = 0, mean_y = 0;
+    for (std::size_t k = 0; k < x.size(); ++k)
+        mean_x += x[k] / n, mean_y += y[k] / n;
+    double sxx = 0, sxy = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        sxx += (x[k] - mean_x) * (x[k] - mean_x);
+        sxy += (x[k] - mean_x) * (y[k] - mean_y);
+    }
+    line.slope = sxx > 0 ? sxy / sxx : 0;
+    line.intercept = mean_y - line.slope * mean_x;
+    return line;
+}
+
+Line fit_line(SurfaceProfile const& profile, double from_x, double to_x)
+{
+    std::vector<double> x, z;
+    for (std::size_t k = 0; k < profile.x.size(); ++k)
+        if (profile.x[k] >= from_x && profile.x[k] <= to_x && profile.z[k] > profile.empty) {
+            x.push_back(profile.x[k]);
+            z.push_back(profile.z[k]);
+        }
+    return fit_line(x, z);
+}
+
+} // namespace demens::observe
