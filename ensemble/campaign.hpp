@@ -10,7 +10,7 @@ namespace demens::ensemble {
 //! One run (design point x experiment x replicate) and what came of it.
 struct RunRecord
 {
-    int run = 0;   //!< number in the campaign, from 0, in the order in which runs were planned
+    int run = 0; //!< number in the campaign, from 0, in the order in which runs were planned
     int wave = 0;
     int point = 0; //!< number of the design point in the campaign
     int experiment = 0;

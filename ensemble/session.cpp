@@ -1,0 +1,212 @@
+#include "ensemble/session.hpp"
+
+#include "demens/base/error.hpp"
+#include "ensemble/file/campaign_file.hpp"
+#include "ensemble/file/run_tables.hpp"
+#include "ensemble/gather.hpp"
+#include "ensemble/run/execute.hpp"
+#include "ensemble/run/stop.hpp"
+#include "ensemble/run/wave_runner.hpp"
+#include "ensemble/shared_campaign.hpp"
+#include "ensemble/storage/lock.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <fmt/format.h>
+
+namespace demens::ensemble {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::uintmax_t constexpr small_change = 1 << 20; //!< [bytes] of tables without particles
+
+//! Whether any rank is asked to stop. Collective.
+bool is_stop_requested(MPI_Comm communicator)
+{
+    int requested = StopSignals::request() != StopRequest::none;
+    MPI_Allreduce(MPI_IN_PLACE, &requested, 1, MPI_INT, MPI_MAX, communicator);
+    return requested != 0;
+}
+
+} // namespace
+
+struct Session::Implementation
+{
+    Implementation(MPI_Comm parent, fs::path path, SessionOptions session_options)
+        : communicator(Communicator::duplicate(parent)), file(std::move(path)), parts(file),
+          options(std::move(session_options))
+    {
+        on_root(communicator, [&] {
+            open_campaign(file); // a wrong file is refused before anything is made beside it
+            lock = std::make_unique<CampaignLock>(file, CampaignLock::Kind::session);
+            fs::remove(beside(file, ".new"));
+        });
+        on_all(communicator, [&] { presence = std::make_unique<PresenceMark>(file); });
+        campaign = std::make_unique<Campaign>(read_for_all(communicator, file, options.rigs));
+        groups = std::make_unique<Groups>(communicator, campaign->input.run.ranks_per_group);
+        if (is_root() && (campaign->waves.empty() || is_complete(campaign->waves.back())))
+            parts.remove(); // left over from a kill between a gather and its tidying up
+    }
+
+    ~Implementation()
+    {
+        presence.reset();
+        MPI_Barrier(communicator); // the next session finds nobody at work
+    }
+
+    bool is_root() const { return rank_of(communicator) == 0; }
+
+    //! The state of the wave, seen by rank 0; runs that are not begun again get their status here.
+    WaveWork inspect(Wave& wave, std::vector<int>& crcs, Journal* journal)
+    {
+        WaveWork work;
+        std::vector<int> counts(2);
+        on_root(communicator, [&] {
+            auto state = parts.inspect(wave, campaign->input);
+            for (int const row : state.poisonous) {
+                auto& run = wave.runs[static_cast<std::size_t>(row)];
+                FinishedRun quarantined{run, {}};
+                quarantined.record.status = rig::RunStatus::quarantined;
+                quarantined.record.reason = quarantine_reason(state.histories[run.run]);
+                parts.store(quarantined, campaign->input, *journal);
+            }
+            if (!state.poisonous.empty())
+                state = parts.inspect(wave, campaign->input);
+            for (auto const& finished : state.finished) {
+                work.clock = std::max(work.clock, finished.record.start_time + finished.record.wall_time);
+                ++counts[0];
+                counts[1] += finished.record.status != rig::RunStatus::finished;
+            }
+            for (auto const& run : wave.runs)
+                crcs.push_back(static_cast<int>(state.histories[run.run].shard_crc.value_or(0)));
+            auto const seconds = expected_seconds(*campaign, wave);
+            work.pending = longest_first(state.pending, seconds);
+            work.suspicious = longest_first(state.suspicious, seconds);
+        });
+        broadcast(communicator, work.pending);
+        broadcast(communicator, work.suspicious);
+        broadcast(communicator, counts);
+        broadcast(communicator, crcs);
+        MPI_Bcast(&work.clock, 1, MPI_DOUBLE, 0, communicator);
+        work.done = counts[0];
+        work.failed = counts[1];
+        work.seconds = expected_seconds(*campaign, wave);
+        return work;
+    }
+
+    void gather_wave(Wave const& plan, WaveWork const& work, std::vector<int> const& crcs)
+    {
+        FinishedWave finished{plan, {crcs.begin(), crcs.end()}};
+        finished.wave.groups = groups->count();
+        finished.wave.wall_time = work.clock;
+        gather(communicator, file, campaign->input, parts, finished);
+        on_root(communicator, [&] {
+            campaign->waves.back() = read_wave(open_campaign(file), plan.number, campaign->input);
+            parts.remove();
+        });
+        share_last_wave(communicator, *campaign);
+    }
+
+    Communicator communicator;
+    fs::path file;
+    Parts parts;
+    SessionOptions options;
+    StopSignals signals;
+    std::unique_ptr<CampaignLock> lock; //!< on rank 0
+    std::unique_ptr<PresenceMark> presence;
+    std::unique_ptr<Campaign> campaign;
+    std::unique_ptr<Groups> groups;
+};
+
+Session::Session(MPI_Comm communicator, fs::path const& file, SessionOptions const& options)
+    : implementation_(std::make_unique<Implementation>(communicator, file, options))
+{
+}
+
+Session::~Session() = default;
+
+Campaign const& Session::campaign() const
+{
+    return *implementation_->campaign;
+}
+
+int Session::groups() const
+{
+    return implementation_->groups->count();
+}
+
+void Session::plan_wave(std::string const& purpose, std::vector<std::vector<double>> const& points)
+{
+    auto& self = *implementation_;
+    auto& campaign = *self.campaign;
+    assert(campaign.waves.empty() || is_complete(campaign.waves.back()));
+    on_root(self.communicator, [&] {
+        auto wave = plan_runs(campaign, purpose, points);
+        if (wave.runs.empty())
+            throw InputError("a wave needs at least one design point");
+        update_file(self.file, small_change + 256 * wave.runs.size(),
+                    [&](hid_t file) { write_plan(RowWriter(file), wave, campaign.input); });
+        campaign.waves.push_back(std::move(wave));
+    });
+    share_last_wave(self.communicator, campaign);
+}
+
+WaveEnd Session::run_wave()
+{
+    auto& self = *implementation_;
+    if (self.campaign->waves.empty() || is_complete(self.campaign->waves.back()))
+        return WaveEnd::complete;
+    auto wave = self.campaign->waves.back();
+    std::unique_ptr<Journal> journal;
+    on_root(self.communicator, [&] { self.parts.make_folder(); });
+    on_all(self.communicator, [&] {
+        if (self.groups->leads())
+            journal = std::make_unique<Journal>(self.parts.folder(),
+                                                fmt::format("rank-{:04}", rank_of(self.communicator)));
+    });
+    for (int round = 0;; ++round) {
+        std::vector<int> crcs;
+        auto const work = self.inspect(wave, crcs, journal.get());
+        if (work.pending.empty() && work.suspicious.empty()) {
+            self.gather_wave(wave, work, crcs);
+            return WaveEnd::complete;
+        }
+        if (is_stop_requested(self.communicator))
+            return WaveEnd::drained;
+        if (round == 3) // a second round is due only when a shard was damaged after it was written
+            throw FileError(fmt::format("{}: finished runs cannot be read back; the disk may be failing",
+                                        self.parts.folder().string()));
+        WaveRunner runner(self.communicator, *self.groups, self.campaign->input, self.parts);
+        runner.run(wave, work, journal.get(), self.options.progress);
+    }
+}
+
+void Session::store_analysis(std::vector<NamedArray> const& analysis)
+{
+    auto& self = *implementation_;
+    auto& campaign = *self.campaign;
+    on_root(self.communicator, [&] {
+        auto const wave = static_cast<int>(campaign.waves.size()) - 1;
+        auto bytes = small_change;
+        for (auto const& array : analysis)
+            bytes += 4096 + 8 * array.data.size();
+        update_file(self.file, bytes, [&](hid_t file) { write_analysis(file, wave, analysis); });
+        campaign.waves.back() = read_wave(open_campaign(self.file), wave, campaign.input);
+    });
+    share_last_wave(self.communicator, campaign);
+}
+
+void Session::end(std::string const& reason)
+{
+    auto& self = *implementation_;
+    auto text = reason;
+    on_root(self.communicator, [&] {
+        update_file(self.file, small_change,
+                    [&](hid_t file) { hdf5::set_attribute(file, "/", "ended", text); });
+    });
+    broadcast(self.communicator, text);
+    self.campaign->ended = text;
+}
+
+} // namespace demens::ensemble

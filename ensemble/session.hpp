@@ -2,6 +2,7 @@
 
 #include "ensemble/campaign.hpp"
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <mpi.h>
@@ -9,27 +10,38 @@
 namespace demens::ensemble {
 
 //! How the execution of a wave ended.
-enum class WaveEnd {
+enum class WaveEnd
+{
     complete, //!< every run has a status and the campaign file holds them
     drained   //!< asked to stop (SIGUSR1, SIGTERM): nothing lost, go on later; the program exits with 75
 };
 
-//! A campaign file open for work by all ranks of a communicator. Every member function is collective, and every
-//! rank sees the same campaign.
+//! What `rig = "..."` in a campaign may name.
+using Rigs = std::vector<rig::RigInfo>;
+
+//! What a session can be told beside the campaign.
+struct SessionOptions
+{
+    Rigs const& rigs = rig::all_rigs(); //!< must outlive the session
+    std::FILE* progress = stderr;       //!< where rank 0 shows how a wave goes on; null: nowhere
+};
+
+//! A campaign file open for work by all ranks of a communicator. Every member function is collective, and
+//! every rank sees the same campaign.
 class Session
 {
   public:
-    //! Opens a campaign file and takes in the shards of an interrupted wave. \throws InputError when the file is
-    //! not a campaign, is of a newer format, or is in use by another session.
-    Session(MPI_Comm communicator, std::filesystem::path const& file);
+    //! Opens a campaign file and takes in the shards of an interrupted wave. \throws InputError when the file
+    //! is not a campaign, is of a newer format, or is in use by another session.
+    Session(MPI_Comm communicator, std::filesystem::path const& file, SessionOptions const& options = {});
     ~Session();
 
     Campaign const& campaign() const;
     //! Number of groups that simulate at a time.
     int groups() const;
 
-    //! Adds a wave: all experiments and replicates at each design point (own units). The plan is in the file when
-    //! this returns. The arguments of rank 0 count.
+    //! Adds a wave: all experiments and replicates at each design point (own units). The plan is in the file
+    //! when this returns. The arguments of rank 0 count.
     void plan_wave(std::string const& purpose, std::vector<std::vector<double>> const& points);
     //! Runs what the last wave still lacks, longest predicted run first, and gathers it into the file.
     WaveEnd run_wave();
@@ -46,13 +58,20 @@ class Session
 //! Writes a new campaign file without any wave. \throws InputError when it exists or cannot be written.
 void create_campaign_file(std::filesystem::path const& file, CampaignInput const& input);
 //! Reads a campaign file on one rank, without opening it for writing. \throws InputError
-Campaign read_campaign_file(std::filesystem::path const& file);
-//! Snapshots (e.g. "settled", "final") and series of one finished run. \throws InputError when the file has none.
+Campaign read_campaign_file(std::filesystem::path const& file, Rigs const& rigs = rig::all_rigs());
+//! Snapshots (e.g. "settled", "final"; without velocities) and series of one run.
 struct RunDetails
 {
     std::vector<rig::Snapshot> snapshots;
     rig::Series series;
 };
-RunDetails read_run_details(std::filesystem::path const& file, int run);
+//! \throws InputError when the campaign has no such run or it has not been simulated
+RunDetails read_run_details(std::filesystem::path const& file, int run, Rigs const& rigs = rig::all_rigs());
+
+//! One task of a Slurm job array: runs those of the last wave whose number is `task` modulo `tasks` and
+//! leaves them beside the file; the next session gathers them. Several tasks may work at the same time.
+//! Collective.
+WaveEnd run_shards(MPI_Comm communicator, std::filesystem::path const& file, int task, int tasks,
+                   SessionOptions const& options = {});
 
 } // namespace demens::ensemble

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "ensemble/campaign.hpp"
+#include "ensemble/file/hdf5.hpp"
+#include "ensemble/session.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace demens::ensemble {
+
+//! Version of the layout that CAMPAIGN_FILE.md documents; raised when a reader of an older one could be
+//! misled.
+int constexpr format_version = 1;
+
+//! Format, program version, input, factors, experiments, targets.
+void write_header(hid_t file, CampaignInput const& input);
+//! Opens a campaign file for reading. \throws InputError when it is none, damaged, or of a newer format
+hdf5::File open_campaign(std::filesystem::path const& file);
+//! Everything but series and snapshots. \throws InputError
+Campaign read_campaign(std::filesystem::path const& file, Rigs const& rigs);
+
+//! A change of a campaign file that is either made completely or not at all: a copy beside it is changed,
+//! synced and renamed. Used by one process; the copy may be opened by several.
+class FileUpdate
+{
+  public:
+    //! Copies the file to FILE.new, with disk space for `more_bytes`. \throws FileError
+    FileUpdate(std::filesystem::path file, std::uintmax_t more_bytes);
+    ~FileUpdate();
+    FileUpdate(FileUpdate const&) = delete;
+    FileUpdate& operator=(FileUpdate const&) = delete;
+
+    std::filesystem::path const& copy() const { return copy_; }
+    //! The closed copy takes the place of the file. \throws FileError
+    void commit();
+
+  private:
+    std::filesystem::path file_, copy_;
+    bool committed_ = false;
+};
+
+//! Makes one change by one process. \throws FileError
+void update_file(std::filesystem::path const& file, std::uintmax_t more_bytes,
+                 std::function<void(hid_t)> const& change);
+
+} // namespace demens::ensemble

@@ -1,0 +1,154 @@
+#pragma once
+
+#include "ensemble/storage/durable.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <hdf5.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+//! The little of HDF5 that a campaign file needs, with handles that close themselves.
+namespace demens::ensemble::hdf5 {
+
+//! Owner of an HDF5 identifier. Creation goes through `Handle(id, "what")`, which throws FileError on
+//! failure.
+template <herr_t (*Close)(hid_t)>
+class Handle
+{
+  public:
+    Handle() = default;
+    Handle(hid_t id, std::string const& what);
+    ~Handle() { reset(); }
+    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)) {}
+    Handle& operator=(Handle&& other) noexcept
+    {
+        std::swap(id_, other.id_);
+        return *this;
+    }
+
+    operator hid_t() const { return id_; }
+    void reset()
+    {
+        if (id_ >= 0)
+            Close(std::exchange(id_, -1));
+    }
+    hid_t release() { return std::exchange(id_, -1); }
+
+  private:
+    hid_t id_ = -1;
+};
+
+using File = Handle<H5Fclose>;
+using Dataset = Handle<H5Dclose>;
+using Space = Handle<H5Sclose>;
+using Type = Handle<H5Tclose>;
+using Properties = Handle<H5Pclose>;
+using Attribute = Handle<H5Aclose>;
+using Object = Handle<H5Oclose>;
+
+//! \throws FileError with what was attempted and HDF5's own reason when `result` is negative.
+void check(long long result, std::string const& what);
+
+//! Opens without writing. \throws FileError
+File open_to_read(std::filesystem::path const& file);
+//! Opens an existing file for writing by this process alone. \throws FileError
+File open_to_write(std::filesystem::path const& file);
+//! A file in memory only, empty or with the given content.
+File create_in_memory();
+File open_in_memory(Bytes const& image);
+Bytes image_of(File const& file);
+//! Closes and reports what could not be written. \throws FileError
+void close(File& file);
+
+//! Memory type and file type of the numbers that are stored.
+template <class T>
+hid_t type_of();
+template <>
+inline hid_t type_of<double>()
+{
+    return H5T_NATIVE_DOUBLE;
+}
+template <>
+inline hid_t type_of<float>()
+{
+    return H5T_NATIVE_FLOAT;
+}
+template <>
+inline hid_t type_of<int>()
+{
+    return H5T_NATIVE_INT;
+}
+template <>
+inline hid_t type_of<std::int64_t>()
+{
+    return H5T_NATIVE_INT64;
+}
+template <>
+inline hid_t type_of<std::uint64_t>()
+{
+    return H5T_NATIVE_UINT64;
+}
+
+//! Text of a fixed length in UTF-8, padded with zeros.
+Type text_type(std::size_t length);
+
+//! What a dataset holds, in words; every dataset with a dimension has units.
+struct Meaning
+{
+    std::vector<std::string> units;        //!< one, or one per column; "1" when dimensionless
+    std::vector<std::string> columns = {}; //!< names of the columns of a table
+    std::string doc = {};                  //!< one line
+};
+
+bool exists(hid_t at, std::string const& path);
+//! Names of the links in a group, sorted.
+std::vector<std::string> children(hid_t at, std::string const& group);
+void make_group(hid_t at, std::string const& path);
+//! A dataset with its groups above it, uninitialised, and its attributes.
+Dataset create_dataset(hid_t at, std::string const& path, hid_t type, std::vector<std::size_t> const& shape,
+                       Meaning const& meaning);
+
+template <class T>
+void write(hid_t at, std::string const& path, std::vector<std::size_t> const& shape,
+           std::vector<T> const& data, Meaning const& meaning);
+void write_text(hid_t at, std::string const& path, std::string const& text);
+
+template <class T>
+struct Array
+{
+    std::vector<std::size_t> shape;
+    std::vector<T> data; //!< row-major
+};
+template <class T>
+Array<T> read_array(hid_t at, std::string const& path);
+template <class T>
+std::vector<T> read(hid_t at, std::string const& path)
+{
+    return read_array<T>(at, path).data;
+}
+//! Rows [first, first + count) of a table.
+template <class T>
+Array<T> read_rows(hid_t at, std::string const& path, std::size_t first, std::size_t count);
+std::vector<std::string> read_texts(hid_t at, std::string const& path);
+
+//! Attributes of the object at `path`; writing replaces.
+void set_attribute(hid_t at, std::string const& path, std::string const& name,
+                   std::vector<std::string> const& texts);
+void set_attribute(hid_t at, std::string const& path, std::string const& name, std::string const& text);
+void set_attribute(hid_t at, std::string const& path, std::string const& name, double value);
+void set_attribute(hid_t at, std::string const& path, std::string const& name, std::int64_t value);
+bool has_attribute(hid_t at, std::string const& path, std::string const& name);
+std::vector<std::string> texts_attribute(hid_t at, std::string const& path, std::string const& name);
+std::string text_attribute(hid_t at, std::string const& path, std::string const& name);
+double number_attribute(hid_t at, std::string const& path, std::string const& name);
+std::int64_t integer_attribute(hid_t at, std::string const& path, std::string const& name);
+
+template <herr_t (*Close)(hid_t)>
+Handle<Close>::Handle(hid_t id, std::string const& what) : id_(id)
+{
+    check(id, what);
+}
+
+} // namespace demens::ensemble::hdf5

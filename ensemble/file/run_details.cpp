@@ -1,0 +1,185 @@
+#include "ensemble/file/run_tables.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+
+namespace demens::ensemble {
+namespace {
+
+std::string series_path(int wave, std::string const& experiment)
+{
+    return fmt::format("/series/{:04}/{}/", wave, experiment);
+}
+
+std::string snapshots_path(int wave)
+{
+    return fmt::format("/snapshots/{:04}/", wave);
+}
+
+hdf5::Meaning number(std::string doc)
+{
+    return {{"1"}, {}, std::move(doc)};
+}
+
+std::size_t samples_of(rig::Series const& series)
+{
+    return series.columns.empty() ? 0 : series.columns.front().size();
+}
+
+//! Series of all runs of one experiment, one below the other. Every run has a row in `samples` and
+//! `first_sample`.
+void write_series(RowWriter const& writer, int wave, std::vector<RunRecord> const& runs,
+                  std::vector<RunDetails> const& details, int experiment, std::string const& experiment_name)
+{
+    std::vector<std::string> labels;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        for (std::size_t k = 0; runs[i].experiment == experiment && k < details[i].series.names.size(); ++k)
+            labels.push_back(details[i].series.names[k] + "\t" + details[i].series.units.at(k));
+    labels = writer.all_texts(labels);
+    hdf5::Meaning meaning{
+        {}, {}, "time series of all runs, one below the other; see first_sample and samples"};
+    for (auto const& label : labels) {
+        meaning.columns.push_back(label.substr(0, label.find('\t')));
+        meaning.units.push_back(label.substr(label.find('\t') + 1));
+    }
+
+    std::vector<double> values;
+    std::vector<std::int64_t> first, count;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        auto const& series = details[i].series;
+        auto const samples = runs[i].experiment == experiment ? samples_of(series) : 0;
+        first.push_back(static_cast<std::int64_t>(values.size() / std::max<std::size_t>(1, labels.size())));
+        count.push_back(static_cast<std::int64_t>(samples));
+        for (std::size_t s = 0; s < samples; ++s)
+            for (auto const& name : meaning.columns) {
+                auto const k =
+                    std::find(series.names.begin(), series.names.end(), name) - series.names.begin();
+                values.push_back(static_cast<std::size_t>(k) < series.columns.size()
+                                     ? series.columns[static_cast<std::size_t>(k)].at(s)
+                                     : std::numeric_limits<double>::quiet_NaN());
+            }
+    }
+    auto const base = series_path(wave, experiment_name);
+    if (!labels.empty()) {
+        auto const shift = static_cast<std::int64_t>(writer.first_row(values.size() / labels.size()));
+        for (auto& row : first)
+            row += shift;
+        writer.write(base + "values", values, meaning, labels.size());
+    }
+    writer.write(base + "first_sample", first, number("first row in values, one entry per run of the wave"));
+    writer.write(base + "samples", count, number("number of rows in values, one entry per run of the wave"));
+}
+
+std::vector<double> column_of(hdf5::Array<float> const& table, std::size_t column)
+{
+    std::vector<double> values;
+    for (std::size_t i = column; i < table.data.size(); i += table.shape.at(1))
+        values.push_back(table.data[i]);
+    return values;
+}
+
+} // namespace
+
+void write_details(RowWriter const& writer, int wave, std::vector<RunRecord> const& runs,
+                   std::vector<RunDetails> const& details, CampaignInput const& input)
+{
+    for (std::size_t e = 0; e < input.experiments.size(); ++e)
+        write_series(writer, wave, runs, details, static_cast<int>(e), input.experiments[e].name);
+
+    std::vector<float> particles, walls;
+    std::vector<int> run;
+    std::vector<std::string> name;
+    std::vector<double> time;
+    std::vector<std::int64_t> first_particle, particle_count, first_wall, wall_count;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        for (auto const& snapshot : details[i].snapshots) {
+            run.push_back(runs[i].run);
+            name.push_back(snapshot.name);
+            time.push_back(snapshot.time);
+            first_particle.push_back(static_cast<std::int64_t>(particles.size() / 4));
+            particle_count.push_back(static_cast<std::int64_t>(snapshot.x.size()));
+            first_wall.push_back(static_cast<std::int64_t>(walls.size() / 6));
+            wall_count.push_back(static_cast<std::int64_t>(snapshot.walls.size()));
+            for (std::size_t p = 0; p < snapshot.x.size(); ++p)
+                for (double const value :
+                     {snapshot.x[p], snapshot.y.at(p), snapshot.z.at(p), snapshot.radius.at(p)})
+                    particles.push_back(static_cast<float>(value));
+            for (auto const& wall : snapshot.walls)
+                walls.insert(walls.end(), wall.begin(), wall.end());
+        }
+    auto const first_of_rank = static_cast<std::int64_t>(writer.first_row(particles.size() / 4));
+    auto const wall_of_rank = static_cast<std::int64_t>(writer.first_row(walls.size() / 6));
+    for (std::size_t s = 0; s < run.size(); ++s) {
+        first_particle[s] += first_of_rank;
+        first_wall[s] += wall_of_rank;
+    }
+    auto const base = snapshots_path(wave);
+    writer.write(base + "particles", particles,
+                 {{"m"}, {"x", "y", "z", "radius"}, "particles of all snapshots"}, 4);
+    writer.write(base + "walls", walls, {{"m"}, {"x0", "y0", "z0", "x1", "y1", "z1"}, "wall outlines"}, 6);
+    writer.write(base + "run", run, number("run, one entry per snapshot"));
+    writer.write_texts(base + "name", name, "landmark, one entry per snapshot");
+    writer.write(base + "time", time, {{"s"}, {}, "simulated time, one entry per snapshot"});
+    writer.write(base + "first_particle", first_particle, number("first row in particles"));
+    writer.write(base + "particle_count", particle_count, number("number of rows in particles"));
+    writer.write(base + "first_wall", first_wall, number("first row in walls"));
+    writer.write(base + "wall_count", wall_count, number("number of rows in walls"));
+}
+
+RunDetails read_details(hid_t file, int wave, std::size_t row, std::string const& experiment)
+{
+    RunDetails details;
+    auto const series = series_path(wave, experiment);
+    if (hdf5::exists(file, series + "values")) {
+        auto const first = hdf5::read_rows<std::int64_t>(file, series + "first_sample", row, 1).data.front();
+        auto const count = hdf5::read_rows<std::int64_t>(file, series + "samples", row, 1).data.front();
+        auto const values = hdf5::read_rows<double>(file, series + "values", static_cast<std::size_t>(first),
+                                                    static_cast<std::size_t>(count));
+        details.series.names = hdf5::texts_attribute(file, series + "values", "columns");
+        details.series.units = hdf5::texts_attribute(file, series + "values", "units");
+        auto const width = values.shape.at(1);
+        details.series.units.resize(width, details.series.units.empty() ? "1" : details.series.units.front());
+        for (std::size_t k = 0; count > 0 && k < width; ++k) {
+            auto& column = details.series.columns.emplace_back();
+            for (std::size_t i = k; i < values.data.size(); i += width)
+                column.push_back(values.data[i]);
+        }
+        if (count == 0)
+            details.series = {};
+    }
+
+    auto const base = snapshots_path(wave);
+    auto const run = hdf5::read_rows<int>(file, wave_path(wave) + "/runs/run", row, 1).data.front();
+    auto const owner = hdf5::read<int>(file, base + "run");
+    auto const name = hdf5::read_texts(file, base + "name");
+    auto const time = hdf5::read<double>(file, base + "time");
+    auto const rows_of = [&](std::string const& table, std::string const& first, std::string const& count,
+                             std::size_t s) {
+        auto const begin = hdf5::read_rows<std::int64_t>(file, base + first, s, 1).data.front();
+        auto const length = hdf5::read_rows<std::int64_t>(file, base + count, s, 1).data.front();
+        return hdf5::read_rows<float>(file, base + table, static_cast<std::size_t>(begin),
+                                      static_cast<std::size_t>(length));
+    };
+    for (std::size_t s = 0; s < owner.size(); ++s) {
+        if (owner[s] != run)
+            continue;
+        auto const particles = rows_of("particles", "first_particle", "particle_count", s);
+        auto const walls = rows_of("walls", "first_wall", "wall_count", s);
+        rig::Snapshot snapshot;
+        snapshot.name = name.at(s);
+        snapshot.time = time.at(s);
+        snapshot.x = column_of(particles, 0);
+        snapshot.y = column_of(particles, 1);
+        snapshot.z = column_of(particles, 2);
+        snapshot.radius = column_of(particles, 3);
+        for (std::size_t i = 0; i + 6 <= walls.data.size(); i += 6) {
+            auto& wall = snapshot.walls.emplace_back();
+            std::copy_n(walls.data.begin() + static_cast<std::ptrdiff_t>(i), 6, wall.begin());
+        }
+        details.snapshots.push_back(std::move(snapshot));
+    }
+    return details;
+}
+
+} // namespace demens::ensemble

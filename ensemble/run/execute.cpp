@@ -1,0 +1,147 @@
+#include "ensemble/run/execute.hpp"
+
+#include "demens/base/error.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace demens::ensemble {
+namespace {
+
+void fail(rig::RunResult& result, rig::RunStatus status, std::string reason)
+{
+    result.status = status;
+    result.reason = std::move(reason);
+}
+
+//! A rig's promises, checked: what breaks them must not reach a fit.
+void check_result(rig::RunResult& result, rig::RigInfo const& rig)
+{
+    if (result.status == rig::RunStatus::finished) {
+        if (result.responses.size() != rig.responses.size())
+            fail(result, rig::RunStatus::error,
+                 fmt::format("rig \"{}\" gave {} responses instead of {}", rig.name, result.responses.size(),
+                             rig.responses.size()));
+        for (std::size_t k = 0; k < result.responses.size() && result.status == rig::RunStatus::finished; ++k)
+            if (!std::isfinite(result.responses[k]))
+                fail(result, rig::RunStatus::not_a_number,
+                     fmt::format("response {} is {}", rig.responses[k].name, result.responses[k]));
+    } else if (result.status == rig::RunStatus::not_run) {
+        fail(result, rig::RunStatus::error, fmt::format("rig \"{}\" gave no status", rig.name));
+    }
+    result.responses.resize(rig.responses.size(), std::numeric_limits<double>::quiet_NaN());
+}
+
+rig::RunResult simulate(CampaignInput const& input, RunRecord const& plan, rig::RunHooks const& hooks)
+{
+    auto const& rig = *input.experiments.at(static_cast<std::size_t>(plan.experiment)).rig;
+    rig::RunResult result;
+    try {
+        result = rig.run(input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate), hooks);
+    } catch (rig::RunInterrupted const&) {
+        throw;
+    } catch (std::bad_alloc const&) {
+        fail(result, rig::RunStatus::error, "not enough memory");
+    } catch (std::exception const& error) {
+        fail(result, rig::RunStatus::error, error.what());
+    } catch (...) {
+        fail(result, rig::RunStatus::error, "unknown exception");
+    }
+    check_result(result, rig);
+    return result;
+}
+
+double predicted_cost(CampaignInput const& input, RunRecord const& plan)
+{
+    try {
+        auto const& rig = *input.experiments.at(static_cast<std::size_t>(plan.experiment)).rig;
+        double const cost =
+            rig.predict_cost(input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate));
+        return std::isfinite(cost) ? cost : 0;
+    } catch (std::exception const&) {
+        return 0; // the run will say what is wrong
+    }
+}
+
+} // namespace
+
+FinishedRun execute(CampaignInput const& input, RunRecord const& plan, rig::RunHooks const& hooks)
+{
+    auto const begin = std::chrono::steady_clock::now();
+    auto result = simulate(input, plan, hooks);
+    FinishedRun run{plan, {std::move(result.snapshots), std::move(result.series)}};
+    run.record.status = result.status;
+    run.record.reason = std::move(result.reason);
+    run.record.responses = std::move(result.responses);
+    run.record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    run.record.simulated_time = result.simulated_time;
+    run.record.steps = result.steps;
+    run.record.particles = result.particles;
+    return run;
+}
+
+Wave plan_runs(Campaign const& campaign, std::string const& purpose,
+               std::vector<std::vector<double>> const& points)
+{
+    auto const& input = campaign.input;
+    Wave wave;
+    wave.number = static_cast<int>(campaign.waves.size());
+    wave.purpose = purpose;
+    int next_run = campaign.runs_planned(), next_point = campaign.points_planned();
+    for (auto const& point : points) {
+        if (point.size() != input.factors.size())
+            throw InputError(fmt::format("a design point has {} values, but the campaign has {} factors",
+                                         point.size(), input.factors.size()));
+        for (std::size_t e = 0; e < input.experiments.size(); ++e)
+            for (int replicate = 0; replicate < input.experiments[e].replicates; ++replicate) {
+                RunRecord run;
+                run.run = next_run++;
+                run.wave = wave.number;
+                run.point = next_point;
+                run.experiment = static_cast<int>(e);
+                run.replicate = replicate;
+                run.seed = input.run_seed(run.point, run.experiment, replicate);
+                run.factors = point;
+                run.predicted_cost = predicted_cost(input, run);
+                wave.runs.push_back(std::move(run));
+            }
+        ++next_point;
+    }
+    return wave;
+}
+
+std::vector<double> expected_seconds(Campaign const& campaign, Wave const& wave)
+{
+    struct Rate
+    {
+        double seconds = 0, cost = 0;
+    };
+    std::vector<Rate> rates(campaign.input.experiments.size() + 1); // the last one: all experiments
+    for (auto const& past : campaign.waves)
+        for (auto const& run : past.runs)
+            if (run.status == rig::RunStatus::finished)
+                for (auto const e : {static_cast<std::size_t>(run.experiment), rates.size() - 1}) {
+                    rates[e].seconds += run.wall_time;
+                    rates[e].cost += run.predicted_cost;
+                }
+    std::vector<double> seconds;
+    for (auto const& run : wave.runs) {
+        auto const& own = rates[static_cast<std::size_t>(run.experiment)];
+        auto const& rate = own.cost > 0 ? own : rates.back();
+        seconds.push_back(run.predicted_cost * (rate.cost > 0 ? rate.seconds / rate.cost : 1e-7));
+    }
+    return seconds;
+}
+
+std::vector<int> longest_first(std::vector<int> rows, std::vector<double> const& seconds)
+{
+    std::stable_sort(rows.begin(), rows.end(), [&](int a, int b) {
+        return seconds[static_cast<std::size_t>(a)] > seconds[static_cast<std::size_t>(b)];
+    });
+    return rows;
+}
+
+} // namespace demens::ensemble

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "ensemble/storage/parts.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace demens::ensemble {
+
+//! Simulates one planned run. Whatever goes wrong in it is its status and reason. \throws rig::RunInterrupted
+FinishedRun execute(CampaignInput const& input, RunRecord const& plan, rig::RunHooks const& hooks);
+
+//! The runs of a wave at the given design points (own units), numbered after all runs of the campaign.
+Wave plan_runs(Campaign const& campaign, std::string const& purpose,
+               std::vector<std::vector<double>> const& points);
+
+//! Wall seconds that each run of a wave may take: predicted costs times the rates that finished runs show.
+std::vector<double> expected_seconds(Campaign const& campaign, Wave const& wave);
+
+//! Rows of a wave, longest expected run first, in the order of the numbers where equal.
+std::vector<int> longest_first(std::vector<int> rows, std::vector<double> const& seconds);
+
+} // namespace demens::ensemble

@@ -1,0 +1,191 @@
+#include "ensemble/run/wave_runner.hpp"
+
+#include "demens/base/error.hpp"
+#include "ensemble/mpi/shared_counters.hpp"
+#include "ensemble/progress.hpp"
+#include "ensemble/run/execute.hpp"
+#include "ensemble/run/stop.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <thread>
+
+namespace demens::ensemble {
+namespace {
+
+enum Counter
+{
+    next_run,
+    runs_done,
+    runs_failed,
+    microseconds_done,
+    counter_count
+};
+std::int64_t constexpr closed = std::int64_t{1} << 40; //!< added to next_run: nothing is left to take
+
+} // namespace
+
+Groups::Groups(MPI_Comm communicator, int ranks_per_group)
+{
+    int const size = size_of(communicator), rank = rank_of(communicator);
+    if (ranks_per_group < 1 || ranks_per_group > size)
+        throw InputError(
+            fmt::format("run.ranks_per_group = {}, but the program runs on {} rank{}: give it from 1 to {}, "
+                        "or start more ranks (mpirun -n)",
+                        ranks_per_group, size, size == 1 ? "" : "s", size));
+    count_ = size / ranks_per_group;
+    mine_ = rank / ranks_per_group < count_ ? rank / ranks_per_group : -1;
+    group_ = Communicator::split(communicator, mine_);
+}
+
+void patient_barrier(MPI_Comm communicator)
+{
+    MPI_Request request;
+    MPI_Ibarrier(communicator, &request);
+    int arrived = 0;
+    for (auto pause = std::chrono::microseconds(50);;
+         pause = std::min(2 * pause, std::chrono::microseconds(20000))) {
+        MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
+        if (arrived)
+            return;
+        std::this_thread::sleep_for(pause);
+    }
+}
+
+//! One pass over a list of rows: shared by `pending` (all groups) and `suspicious` (the first group).
+class WaveRunner::Pass
+{
+  public:
+    Pass(WaveRunner const& runner, Wave const& wave, WaveWork const& work, Journal* journal,
+         std::FILE* progress)
+        : runner_(runner), wave_(wave), work_(work), journal_(journal),
+          counters_(runner.communicator_, counter_count),
+          display_(progress, fmt::format("wave {} ({})", wave.number, wave.purpose)), begin_(Clock::now())
+    {
+    }
+
+    //! Takes rows until none is left. The failure is this rank's own: it cannot write.
+    Failure take(std::vector<int> const& rows, Journal::Company company)
+    {
+        auto const failure = capture([&] {
+            while (StopSignals::request() == StopRequest::none) {
+                auto const i = static_cast<std::size_t>(counters_.add(next_run, 1));
+                if (i >= rows.size())
+                    return;
+                run_row(rows[i], company);
+                show();
+            }
+        });
+        if (failure || StopSignals::request() != StopRequest::none)
+            counters_.add(next_run, closed);
+        return failure;
+    }
+
+    //! Between two passes. Collective.
+    void rewind(bool is_root)
+    {
+        patient_barrier(runner_.communicator_);
+        if (is_root && counters_.value(next_run) < closed)
+            counters_.add(next_run, -counters_.value(next_run));
+        MPI_Barrier(runner_.communicator_);
+    }
+
+    void finish()
+    {
+        if (rank_of(runner_.communicator_) == 0)
+            display_.finish(state());
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+    void run_row(int row, Journal::Company company)
+    {
+        auto const& plan = wave_.runs[static_cast<std::size_t>(row)];
+        journal_->start(plan.run, company);
+        try {
+            double const start_time = work_.clock + elapsed();
+            auto finished = simulate(plan);
+            finished.record.group = runner_.groups_.mine();
+            finished.record.start_time = start_time;
+            runner_.parts_.store(finished, runner_.input_, *journal_);
+            counters_.add(runs_done, 1);
+            counters_.add(runs_failed, finished.record.status != rig::RunStatus::finished);
+        } catch (rig::RunInterrupted const&) {
+            journal_->drain(plan.run);
+            return;
+        } catch (FileError const&) {
+            capture([&] { journal_->drain(plan.run); }); // not the run's fault
+            throw;
+        }
+        counters_.add(microseconds_done, std::llround(1e6 * work_.seconds[static_cast<std::size_t>(row)]));
+    }
+
+    FinishedRun simulate(RunRecord const& plan)
+    {
+        CrashNote const note(journal_->descriptor(),
+                             [&](int signal) { return journal_->crash_line(plan.run, signal); });
+        rig::RunHooks hooks;
+        hooks.wall_time_limit = runner_.input_.run.run_wall_time_s;
+        hooks.should_stop = [this] {
+            counters_.progress();
+            show();
+            return StopSignals::should_stop_run();
+        };
+        return execute(runner_.input_, plan, hooks);
+    }
+
+    ProgressState state()
+    {
+        ProgressState state;
+        state.runs = static_cast<int>(wave_.runs.size());
+        state.done = work_.done + static_cast<int>(counters_.value(runs_done));
+        state.failed = work_.failed + static_cast<int>(counters_.value(runs_failed));
+        for (auto const* rows : {&work_.pending, &work_.suspicious})
+            for (int const row : *rows)
+                state.work += work_.seconds[static_cast<std::size_t>(row)];
+        state.work_done = 1e-6 * static_cast<double>(counters_.value(microseconds_done));
+        state.groups = runner_.groups_.count();
+        state.elapsed = elapsed();
+        return state;
+    }
+
+    void show()
+    {
+        if (rank_of(runner_.communicator_) == 0)
+            display_.update(state());
+    }
+
+    WaveRunner const& runner_;
+    Wave const& wave_;
+    WaveWork const& work_;
+    Journal* journal_;
+    SharedCounters counters_;
+    ProgressDisplay display_;
+    Clock::time_point begin_;
+};
+
+WaveRunner::WaveRunner(MPI_Comm communicator, Groups const& groups, CampaignInput const& input,
+                       Parts const& parts)
+    : communicator_(communicator), groups_(groups), input_(input), parts_(parts)
+{
+}
+
+void WaveRunner::run(Wave const& wave, WaveWork const& work, Journal* journal, std::FILE* progress)
+{
+    Pass pass(*this, wave, work, journal, progress);
+    Failure failure;
+    if (groups_.leads())
+        failure = pass.take(work.pending, Journal::Company::others);
+    pass.rewind(rank_of(communicator_) == 0);
+    if (groups_.leads() && groups_.mine() == 0 && !failure)
+        failure = pass.take(work.suspicious, Journal::Company::alone);
+    patient_barrier(communicator_);
+    pass.finish();
+    agree(communicator_, failure);
+}
+
+} // namespace demens::ensemble

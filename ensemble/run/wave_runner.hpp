@@ -1,0 +1,62 @@
+#pragma once
+
+#include "ensemble/mpi/agreement.hpp"
+#include "ensemble/storage/parts.hpp"
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace demens::ensemble {
+
+//! Ranks split into groups of a fixed size; ranks that do not fill a group have none and only help to gather.
+class Groups
+{
+  public:
+    //! \throws InputError when the ranks do not fill one group
+    Groups(MPI_Comm communicator, int ranks_per_group);
+
+    int count() const { return count_; }
+    //! This rank's group; -1: none.
+    int mine() const { return mine_; }
+    //! Whether this rank is the first of its group, the one that runs the rig.
+    bool leads() const { return mine_ >= 0 && rank_of(group_) == 0; }
+
+  private:
+    int count_ = 0, mine_ = -1;
+    Communicator group_;
+};
+
+//! What a wave is to be run with; the same on all ranks.
+struct WaveWork
+{
+    std::vector<int> pending;    //!< rows, in the order in which they begin
+    std::vector<int> suspicious; //!< rows to run one at a time after the others
+    std::vector<double> seconds; //!< expected wall time of every row of the wave
+    double clock = 0;            //!< [s] working time of the wave so far
+    int done = 0, failed = 0;    //!< runs of the wave that are complete
+};
+
+//! Runs what a wave lacks: every group takes the next run when it is free. No exception of a run leaves it.
+class WaveRunner
+{
+  public:
+    WaveRunner(MPI_Comm communicator, Groups const& groups, CampaignInput const& input, Parts const& parts);
+
+    //! Collective. Ends when nothing is left or a stop is requested. \throws FileError on all ranks when a
+    //! rank cannot write
+    void run(Wave const& wave, WaveWork const& work, Journal* journal, std::FILE* progress);
+
+  private:
+    class Pass;
+
+    MPI_Comm communicator_;
+    Groups const& groups_;
+    CampaignInput const& input_;
+    Parts const& parts_;
+};
+
+//! Waits for all ranks without taking their cores.
+void patient_barrier(MPI_Comm communicator);
+
+} // namespace demens::ensemble

@@ -1,0 +1,68 @@
+#include "ensemble/shared_campaign.hpp"
+
+#include "ensemble/file/campaign_file.hpp"
+#include "ensemble/file/run_tables.hpp"
+#include "ensemble/mpi/agreement.hpp"
+
+#include <optional>
+
+namespace demens::ensemble {
+namespace {
+
+//! A wave as a message: a campaign file in memory with this wave only.
+Bytes pack(Wave const& wave, CampaignInput const& input)
+{
+    auto const file = hdf5::create_in_memory();
+    RowWriter const writer(file);
+    write_plan(writer, wave, input);
+    if (is_complete(wave))
+        write_results(writer, wave, input);
+    write_analysis(file, wave.number, wave.analysis);
+    return hdf5::image_of(file);
+}
+
+void share_wave(MPI_Comm communicator, Campaign& campaign, int number)
+{
+    auto const place = static_cast<std::size_t>(number);
+    Bytes image;
+    on_root(communicator, [&] { image = pack(campaign.waves.at(place), campaign.input); });
+    broadcast(communicator, image);
+    if (rank_of(communicator) == 0)
+        return;
+    campaign.waves.resize(std::max(campaign.waves.size(), place + 1));
+    campaign.waves[place] = read_wave(hdf5::open_in_memory(image), number, campaign.input);
+}
+
+} // namespace
+
+Campaign read_for_all(MPI_Comm communicator, std::filesystem::path const& file, Rigs const& rigs)
+{
+    std::optional<Campaign> campaign;
+    std::string toml, ended;
+    std::vector<int> waves(1);
+    on_root(communicator, [&] {
+        campaign = read_campaign(file, rigs);
+        toml = campaign->input.text();
+        ended = campaign->ended;
+        waves.front() = static_cast<int>(campaign->waves.size());
+    });
+    broadcast(communicator, toml);
+    broadcast(communicator, ended);
+    broadcast(communicator, waves);
+    on_all(communicator, [&] {
+        if (!campaign)
+            campaign = Campaign{CampaignInput::from_text(toml, file.string(), rigs), {}, ended};
+    });
+    for (int number = 0; number < waves.front(); ++number)
+        share_wave(communicator, *campaign, number);
+    return std::move(*campaign);
+}
+
+void share_last_wave(MPI_Comm communicator, Campaign& campaign)
+{
+    std::vector<int> last = {static_cast<int>(campaign.waves.size()) - 1};
+    broadcast(communicator, last);
+    share_wave(communicator, campaign, last.front());
+}
+
+} // namespace demens::ensemble

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ensemble/session.hpp"
+
+namespace demens::ensemble {
+
+//! Rank 0 reads the file and every rank gets the campaign, so that none sees an older state of a network
+//! disk. Collective. \throws InputError
+Campaign read_for_all(MPI_Comm communicator, std::filesystem::path const& file, Rigs const& rigs);
+//! Rank 0's last wave takes the place of the same wave of the others, or is added. Collective.
+void share_last_wave(MPI_Comm communicator, Campaign& campaign);
+
+} // namespace demens::ensemble

@@ -1,0 +1,150 @@
+#include "ensemble/status.hpp"
+
+#include "demens/base/error.hpp"
+#include "ensemble/file/run_tables.hpp"
+#include "ensemble/progress.hpp"
+#include "ensemble/run/execute.hpp"
+#include "ensemble/storage/journal.hpp"
+#include "ensemble/storage/lock.hpp"
+#include "ensemble/storage/parts.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+
+namespace demens::ensemble {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunCounts
+{
+    int done = 0, failed = 0, running = 0;
+    double seconds_open = 0; //!< expected wall time of the runs not done yet
+};
+
+RunCounts counts_of_complete(Wave const& wave)
+{
+    RunCounts counts;
+    for (auto const& run : wave.runs) {
+        ++counts.done;
+        counts.failed += run.status != rig::RunStatus::finished;
+    }
+    return counts;
+}
+
+//! When the session that holds the lock began [s since 1970].
+double session_begin(fs::path const& campaign_file)
+{
+    std::error_code error;
+    auto const written = fs::last_write_time(beside(campaign_file, ".lock"), error);
+    if (error)
+        return 0;
+    return std::chrono::duration<double>(std::chrono::file_clock::to_sys(written).time_since_epoch()).count();
+}
+
+//! Reads the journals and shards of a wave in progress; any of them may vanish or grow meanwhile.
+RunCounts counts_of_open(fs::path const& file, Campaign const& campaign, Wave const& wave, bool is_active)
+{
+    Parts const parts(file);
+    auto const histories = read_journals(parts.folder());
+    auto const expected = expected_seconds(campaign, wave);
+    double const begin = session_begin(file) - 1;
+    RunCounts counts;
+    for (std::size_t row = 0; row < wave.runs.size(); ++row) {
+        auto const found = histories.find(wave.runs[row].run);
+        auto const* history = found == histories.end() ? nullptr : &found->second;
+        if (history && history->shard_crc) {
+            ++counts.done;
+            try {
+                counts.failed +=
+                    parts.load(wave.runs[row], campaign.input, *history->shard_crc).record.status !=
+                    rig::RunStatus::finished;
+            } catch (FileError const&) {
+                --counts.done; // damaged, or being gathered
+            }
+            continue;
+        }
+        counts.running += is_active && history && history->open && history->begun >= begin;
+        counts.seconds_open += expected[row];
+    }
+    return counts;
+}
+
+NamedArray const* latest(Campaign const& campaign, std::string const& path)
+{
+    for (auto wave = campaign.waves.rbegin(); wave != campaign.waves.rend(); ++wave)
+        for (auto const& array : wave->analysis)
+            if (array.path == path && !array.data.empty())
+                return &array;
+    return nullptr;
+}
+
+std::string best_fit(Campaign const& campaign)
+{
+    auto const* wmse = latest(campaign, "optimum/wmse");
+    auto const* point = latest(campaign, "optimum/best_point");
+    if (!wmse || !point || point->data.size() != campaign.input.factors.size())
+        return "best fit   none yet\n";
+    auto text = fmt::format("best fit   weighted mean square error {:.4g}", wmse->data.front());
+    if (auto const* run = latest(campaign, "optimum/best_run"))
+        text += fmt::format(" (run {:.0f})", run->data.front());
+    text += "\n";
+    auto const* interval = latest(campaign, "optimum/factor_interval");
+    for (std::size_t k = 0; k < point->data.size(); ++k) {
+        text += fmt::format("           {:<28} {:>12.5g}", campaign.input.factors[k].name, point->data[k]);
+        if (interval && interval->data.size() == 2 * point->data.size())
+            text += fmt::format("   {:.4g} to {:.4g}", interval->data[2 * k], interval->data[2 * k + 1]);
+        text += "\n";
+    }
+    auto const* responses = latest(campaign, "optimum/best_responses");
+    std::size_t t = 0;
+    for (auto const& experiment : campaign.input.experiments)
+        for (auto const& target : experiment.targets) {
+            if (responses && t < responses->data.size())
+                text +=
+                    fmt::format("           {:<28} {:>12.5g}   target {:.5g}\n",
+                                experiment.name + "." + target.response, responses->data[t], target.value);
+            ++t;
+        }
+    return text;
+}
+
+} // namespace
+
+std::string status_text(fs::path const& file, Rigs const& rigs)
+{
+    auto const campaign = read_campaign_file(file, rigs);
+    auto const owner = lock_owner(file);
+    auto text = fmt::format(
+        "campaign   {}\nfile       {}\nstate      {}\n\n", campaign.input.name, file.string(),
+        !owner.empty()            ? "running, " + owner
+        : !campaign.ended.empty() ? "ended: " + campaign.ended
+                                  : "not running; go on with: mpirun -n N demens " + file.string());
+    text += fmt::format("{:<6} {:<14} {:>6} {:>6} {:>8} {:>7} {:>13}\n", "wave", "purpose", "runs", "done",
+                        "running", "failed", "wall time");
+    RunCounts total;
+    for (auto const& wave : campaign.waves) {
+        bool const complete = is_complete(wave);
+        auto const counts =
+            complete ? counts_of_complete(wave) : counts_of_open(file, campaign, wave, !owner.empty());
+        text += fmt::format("{:<6} {:<14} {:>6} {:>6} {:>8} {:>7} {:>13}\n", wave.number, wave.purpose,
+                            wave.runs.size(), counts.done, counts.running, counts.failed,
+                            complete ? duration_text(wave.wall_time) : "");
+        total.done += counts.done;
+        total.failed += counts.failed;
+        total.running += counts.running;
+        total.seconds_open += counts.seconds_open;
+    }
+    text += fmt::format("{:<21} {:>6} {:>6} {:>8} {:>7}\n\n", "all", campaign.runs_planned(), total.done,
+                        total.running, total.failed);
+    text += best_fit(campaign);
+    bool const has_rate = std::any_of(campaign.waves.begin(), campaign.waves.end(), is_complete);
+    if (total.seconds_open > 0 && has_rate)
+        text += fmt::format("time left  {} for the rest of this wave, on {} at a time\n",
+                            duration_text(total.seconds_open / std::max(1, total.running)),
+                            total.running > 1 ? fmt::format("{} runs", total.running) : "one run");
+    return text;
+}
+
+} // namespace demens::ensemble

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ensemble/session.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace demens::ensemble {
+
+//! Text for `demens status FILE`: waves, runs done, running and failed, best fit so far, time left. Reads
+//! only, and is safe while a session works on the file. \throws InputError
+std::string status_text(std::filesystem::path const& file, Rigs const& rigs = rig::all_rigs());
+
+} // namespace demens::ensemble

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace demens::ensemble {
+
+//! A file that cannot be written or read although the input is good: full disk, no permission, damage.
+class FileError : public std::runtime_error
+{
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+using Bytes = std::vector<std::byte>;
+
+//! Cyclic redundancy check (CRC-32, as in gzip) of bytes.
+std::uint32_t crc32_of(std::span<std::byte const> bytes);
+std::uint32_t crc32_of(std::string const& text);
+
+//! Writes a whole file so that a kill or a power cut leaves the old file, none, or the new one: written
+//! beside it as
+//! `.part`, synced, renamed, the folder synced. \throws FileError naming the file; nothing half-written is
+//! left.
+void write_durably(std::filesystem::path const& file, std::span<std::byte const> bytes);
+//! Renames a synced file over another and syncs the folder. \throws FileError
+void rename_durably(std::filesystem::path const& from, std::filesystem::path const& to);
+//! Flushes a closed file to the disk. \throws FileError
+void sync_file(std::filesystem::path const& file);
+//! Takes disk space for a file before it is written, so that a full disk is found here. \throws FileError
+void reserve_space(std::filesystem::path const& file, std::uintmax_t bytes);
+//! \throws FileError
+Bytes read_bytes(std::filesystem::path const& file);
+
+//! `campaign.h5` and `.parts` give `campaign.h5.parts`.
+std::filesystem::path beside(std::filesystem::path const& file, std::string const& suffix);
+
+//! "cannot <doing> FILE: <reason of errno>", with a hint where there is a common remedy.
+FileError system_error(std::string const& doing, std::filesystem::path const& file, int error_number);
+
+} // namespace demens::ensemble

@@ -1,0 +1,144 @@
+#include "ensemble/storage/journal.hpp"
+
+#include "ensemble/storage/durable.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+
+namespace demens::ensemble {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string line_of(std::string const& text)
+{
+    return fmt::format("{:08x} {}\n", crc32_of(text), text);
+}
+
+double now()
+{
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+struct Entry
+{
+    std::string verb;
+    int run = 0;
+    std::string value;
+};
+
+std::optional<Entry> parse(std::string const& line)
+{
+    if (line.size() < 10 || line != line_of(line.substr(9)).substr(0, line.size()))
+        return std::nullopt;
+    Entry entry;
+    std::istringstream in(line.substr(9));
+    if (!(in >> entry.verb >> entry.run))
+        return std::nullopt;
+    in >> entry.value;
+    return entry;
+}
+
+//! Takes in one writer's journal: at any moment it has at most one run in progress.
+void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
+{
+    std::ifstream in(file);
+    Entry open; // no verb: none
+    auto const count_death = [&] {
+        if (!open.verb.empty())
+            ++(open.verb == "ALONE" ? histories[open.run].deaths_alone : histories[open.run].deaths);
+    };
+    for (std::string line; std::getline(in, line);) {
+        auto const entry = parse(line);
+        if (!entry)
+            continue;
+        auto& history = histories[entry->run];
+        if (entry->verb == "START" || entry->verb == "ALONE") {
+            count_death();
+            open = *entry;
+            history.begun = std::stod(entry->value);
+            continue;
+        }
+        open = {};
+        if (entry->verb == "END") {
+            history = {};
+            history.shard_crc = static_cast<std::uint32_t>(std::stoul(entry->value, nullptr, 16));
+        } else if (entry->verb == "CRASH") {
+            ++history.crashes;
+            history.crash = "signal " + entry->value;
+        }
+    }
+    if (!open.verb.empty())
+        histories[open.run].open = true;
+    count_death();
+}
+
+} // namespace
+
+Journal::Journal(fs::path const& folder, std::string const& writer) : path_(folder / ("journal-" + writer))
+{
+    file_ = Descriptor(::open(path_.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666));
+    if (!file_)
+        throw system_error("open", path_, errno);
+    // A kill may have cut the last line off; begin a new one so that only that line is lost.
+    auto const size = ::lseek(file_.get(), 0, SEEK_END);
+    char last = '\n';
+    if (size > 0 && ::pread(file_.get(), &last, 1, size - 1) == 1 && last != '\n' &&
+        ::write(file_.get(), "\n", 1) != 1)
+        throw system_error("write", path_, errno);
+}
+
+void Journal::append(std::string const& text)
+{
+    auto const line = line_of(text);
+    auto const n = ::write(file_.get(), line.data(), line.size());
+    if (n != static_cast<ssize_t>(line.size())) {
+        int const error_number = n < 0 ? errno : ENOSPC;
+        if (n > 0 && ::write(file_.get(), "\n", 1) < 0) // keep the next line whole, if there is room for one
+            throw system_error("write", path_, errno);
+        throw system_error("write", path_, error_number);
+    }
+    if (::fdatasync(file_.get()) != 0)
+        throw system_error("write", path_, errno);
+}
+
+void Journal::start(int run, Company company)
+{
+    append(fmt::format("{} {} {:.3f}", company == Company::alone ? "ALONE" : "START", run, now()));
+}
+
+void Journal::end(int run, std::uint32_t shard_crc)
+{
+    append(fmt::format("END {} {:08x}", run, shard_crc));
+}
+
+void Journal::drain(int run)
+{
+    append(fmt::format("DRAIN {}", run));
+}
+
+std::string Journal::crash_line(int run, int signal) const
+{
+    return line_of(fmt::format("CRASH {} {}", run, signal));
+}
+
+std::map<int, RunHistory> read_journals(fs::path const& folder)
+{
+    std::map<int, RunHistory> histories;
+    std::error_code error;
+    std::vector<fs::path> files;
+    for (auto const& entry : fs::directory_iterator(folder, error))
+        if (entry.path().filename().string().starts_with("journal-"))
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (auto const& file : files)
+        take_in(file, histories);
+    return histories;
+}
+
+} // namespace demens::ensemble

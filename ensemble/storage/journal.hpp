@@ -1,0 +1,63 @@
+#pragma once
+
+#include "ensemble/storage/descriptor.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace demens::ensemble {
+
+//! What one process writes down of the runs it begins and ends, a line each, on the disk before it goes on:
+//!
+//!     <CRC of the rest> START 17 1732243968.123    begun, other runs beside it
+//!     <CRC of the rest> ALONE 17 1732243968.123    begun with nothing beside it
+//!     <CRC of the rest> END 17 <CRC of the shard>  complete, the shard is on the disk
+//!     <CRC of the rest> DRAIN 17                   given up on request; begin it again
+//!     <CRC of the rest> CRASH 17 <signal>          the process received a deadly signal while it simulated
+//!
+//! A line whose CRC is wrong, e.g. one cut off by a kill, is as if it were not there.
+class Journal
+{
+  public:
+    //! Appends to the journal of one writer. \throws FileError
+    Journal(std::filesystem::path const& folder, std::string const& writer);
+
+    enum class Company
+    {
+        others,
+        alone
+    };
+    void start(int run, Company company);
+    void end(int run, std::uint32_t shard_crc);
+    void drain(int run);
+    //! The line that tells of a crash, made beforehand for a signal handler.
+    std::string crash_line(int run, int signal) const;
+    int descriptor() const { return file_.get(); }
+
+  private:
+    void append(std::string const& text);
+
+    std::filesystem::path path_;
+    Descriptor file_;
+};
+
+//! What the journals say of one run.
+struct RunHistory
+{
+    std::optional<std::uint32_t> shard_crc; //!< of its last END
+    int deaths = 0;       //!< starts since then that ended without a word, with other runs beside it
+    int deaths_alone = 0; //!< the same with nothing beside it
+    int crashes = 0;      //!< deadly signals
+    std::string crash;    //!< the last of them, e.g. "signal 11"
+    bool open = false;    //!< its last start is the last line of its journal: running, or killed
+    double begun = 0;     //!< [s] since 1970, of the last start
+};
+
+//! Reads all journals of a folder; safe while they are written.
+std::map<int, RunHistory> read_journals(std::filesystem::path const& folder);
+
+} // namespace demens::ensemble

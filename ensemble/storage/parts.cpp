@@ -1,0 +1,119 @@
+#include "ensemble/storage/parts.hpp"
+
+#include "ensemble/file/run_tables.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <fmt/format.h>
+
+namespace demens::ensemble {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_poisonous(RunHistory const& history)
+{
+    return history.crashes >= Parts::crashes_until_poisonous ||
+           history.deaths_alone >= Parts::deaths_alone_until_poisonous;
+}
+
+bool is_suspicious(RunHistory const& history)
+{
+    return history.crashes > 0 || history.deaths_alone > 0 || history.deaths >= Parts::deaths_until_alone;
+}
+
+} // namespace
+
+fs::path Parts::shard(int run) const
+{
+    return folder_ / fmt::format("run-{:06}.h5", run);
+}
+
+void Parts::make_folder() const
+{
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error)
+        throw system_error("create the folder", folder_, error.value());
+}
+
+void Parts::remove() const
+{
+    std::error_code ignored; // what is left over is removed when the campaign is opened again
+    fs::remove_all(folder_, ignored);
+}
+
+void Parts::store(FinishedRun const& run, CampaignInput const& input, Journal& journal) const
+{
+    Wave wave;
+    wave.number = run.record.wave;
+    wave.runs = {run.record};
+    auto const file = hdf5::create_in_memory();
+    RowWriter const writer(file);
+    write_plan(writer, wave, input);
+    write_results(writer, wave, input);
+    write_details(writer, wave.number, wave.runs, {run.details}, input);
+    auto const image = hdf5::image_of(file);
+    write_durably(shard(run.record.run), image);
+    journal.end(run.record.run, crc32_of(image));
+}
+
+std::uintmax_t Parts::shard_size(RunRecord const& plan) const
+{
+    return fs::file_size(shard(plan.run));
+}
+
+FinishedRun Parts::load(RunRecord const& plan, CampaignInput const& input, std::uint32_t crc) const
+{
+    auto const path = shard(plan.run);
+    auto const image = read_bytes(path);
+    if (crc32_of(image) != crc)
+        throw FileError(
+            fmt::format("{}: damaged, its check sum is not the one in the journal", path.string()));
+    auto const file = hdf5::open_in_memory(image);
+    auto const wave = read_wave(file, plan.wave, input);
+    auto const& record = wave.runs.at(0);
+    if (record.run != plan.run || record.seed != plan.seed || record.factors != plan.factors)
+        throw FileError(fmt::format("{}: belongs to another campaign", path.string()));
+    FinishedRun run{record,
+                    read_details(file, plan.wave, 0,
+                                 input.experiments.at(static_cast<std::size_t>(plan.experiment)).name)};
+    run.record.predicted_cost = plan.predicted_cost;
+    return run;
+}
+
+WaveState Parts::inspect(Wave const& wave, CampaignInput const& input) const
+{
+    WaveState state;
+    state.histories = read_journals(folder_);
+    for (std::size_t row = 0; row < wave.runs.size(); ++row) {
+        auto const& plan = wave.runs[row];
+        auto const& history = state.histories[plan.run];
+        if (history.shard_crc) {
+            try {
+                state.finished.push_back({load(plan, input, *history.shard_crc).record, {}});
+                continue;
+            } catch (FileError const&) {
+                // as if it had never ended: it runs again
+            }
+        }
+        (is_poisonous(history)    ? state.poisonous
+         : is_suspicious(history) ? state.suspicious
+                                  : state.pending)
+            .push_back(static_cast<int>(row));
+    }
+    return state;
+}
+
+std::string quarantine_reason(RunHistory const& history)
+{
+    if (history.crashes >= Parts::crashes_until_poisonous)
+        return fmt::format("ended the program {} times ({}); not begun again", history.crashes,
+                           history.crash);
+    return fmt::format(
+        "the program died {} times while this run was the only one in progress ({} times beside other "
+        "runs); not begun again",
+        history.deaths_alone, history.deaths);
+}
+
+} // namespace demens::ensemble

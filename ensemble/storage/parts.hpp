@@ -1,0 +1,65 @@
+#pragma once
+
+#include "ensemble/campaign.hpp"
+#include "ensemble/session.hpp"
+#include "ensemble/storage/durable.hpp"
+#include "ensemble/storage/journal.hpp"
+
+#include <map>
+#include <vector>
+
+namespace demens::ensemble {
+
+//! A run as it is written to its shard.
+struct FinishedRun
+{
+    RunRecord record;
+    RunDetails details;
+};
+
+//! What a wave still lacks.
+struct WaveState
+{
+    std::vector<int> pending; //!< rows that can run beside each other
+    std::vector<int>
+        suspicious; //!< rows that were in progress when processes died: one at a time, nothing beside it
+    std::vector<int> poisonous;          //!< rows that are not begun again; see `reason_of`
+    std::vector<FinishedRun> finished;   //!< whole shards; no details
+    std::map<int, RunHistory> histories; //!< by run number
+};
+
+//! The folder FILE.parts: a shard per finished run of the wave in progress, and journals.
+class Parts
+{
+  public:
+    //! Deaths beside other runs after which a run has to run alone.
+    static int constexpr deaths_until_alone = 2;
+    //! Deaths alone, or deadly signals, after which it is not begun again.
+    static int constexpr deaths_alone_until_poisonous = 3, crashes_until_poisonous = 2;
+
+    explicit Parts(std::filesystem::path const& campaign_file) : folder_(beside(campaign_file, ".parts")) {}
+
+    std::filesystem::path const& folder() const { return folder_; }
+    //! \throws FileError
+    void make_folder() const;
+    void remove() const;
+
+    //! Writes the shard, then its END line. \throws FileError; then there is no shard
+    void store(FinishedRun const& run, CampaignInput const& input, Journal& journal) const;
+    //! What is there and whole. Reads every shard. No run may be in progress.
+    WaveState inspect(Wave const& wave, CampaignInput const& input) const;
+    //! Reads the shard of a planned run with its details. \throws FileError when it is not what the journal
+    //! says
+    FinishedRun load(RunRecord const& plan, CampaignInput const& input, std::uint32_t crc) const;
+    std::uintmax_t shard_size(RunRecord const& plan) const;
+
+  private:
+    std::filesystem::path shard(int run) const;
+
+    std::filesystem::path folder_;
+};
+
+//! Why a run is not begun again.
+std::string quarantine_reason(RunHistory const& history);
+
+} // namespace demens::ensemble
