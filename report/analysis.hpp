@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ensemble/campaign.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace demens::report {
+
+//! What the calibration stored with the last wave that it analysed; see tao_calib/ANALYSIS.md.
+class Analysis
+{
+  public:
+    explicit Analysis(ensemble::Campaign const& campaign);
+
+    //! Number of the wave, -1 when none was analysed yet.
+    int wave() const { return wave_ ? wave_->number : -1; }
+    //! The array of that path, or null.
+    ensemble::NamedArray const* find(std::string const& path) const;
+    //! Its data as nested lists of its shape; null when it is absent.
+    nlohmann::json values(std::string const& path) const;
+    //! The first value of the array; NaN when it is absent.
+    double scalar(std::string const& path) const;
+    //! Is there a best fit?
+    bool has_best() const { return find("optimum/best_point") != nullptr; }
+
+  private:
+    ensemble::Wave const* wave_ = nullptr;
+};
+
+//! Best fit, intervals and correlations of the factors.
+nlohmann::json optimum_of(Analysis const& analysis);
+//! Predictions along each factor through the optimum and how good they are.
+nlohmann::json surrogate_of(Analysis const& analysis);
+
+} // namespace demens::report

@@ -1,0 +1,171 @@
+#include "report/document.hpp"
+
+#include "demens/base/error.hpp"
+#include "report/analysis.hpp"
+#include "report/picture.hpp"
+
+
+namespace demens::report {
+
+using nlohmann::json;
+
+namespace {
+
+json factors_of(ensemble::CampaignInput const& input)
+{
+    json list = json::array();
+    for (auto const& factor : input.factors)
+        list.push_back({{"name", factor.name},
+                        {"path", factor.path},
+                        {"lower", factor.lower},
+                        {"upper", factor.upper},
+                        {"log", factor.log_scale}});
+    return list;
+}
+
+json constraints_of(ensemble::CampaignInput const& input)
+{
+    json list = json::array();
+    for (auto const& constraint : input.constraints) list.push_back(constraint.text);
+    return list;
+}
+
+json experiments_of(ensemble::CampaignInput const& input)
+{
+    json list = json::array();
+    for (auto const& experiment : input.experiments) {
+        json responses = json::array();
+        for (auto const& response : experiment.rig->responses)
+            responses.push_back({{"name", response.name}, {"units", response.units}, {"doc", response.doc}});
+        list.push_back({{"name", experiment.name},
+                        {"rig", experiment.rig->name},
+                        {"doc", experiment.rig->doc},
+                        {"replicates", experiment.replicates},
+                        {"responses", responses}});
+    }
+    return list;
+}
+
+//! Targets in the order of the calibration: experiments in order, within each its targets in order.
+json targets_of(ensemble::CampaignInput const& input)
+{
+    json list = json::array();
+    for (std::size_t e = 0; e < input.experiments.size(); ++e)
+        for (auto const& target : input.experiments[e].targets)
+            list.push_back({{"experiment", e},
+                            {"response", target.response_index},
+                            {"value", target.value},
+                            {"scale", target.scale},
+                            {"sd", target.sd},
+                            {"tolerance", target.tolerance}});
+    return list;
+}
+
+//! What the page does with a run, whatever its status says in detail.
+char const* outcome_of(rig::RunStatus status)
+{
+    switch (status) {
+    case rig::RunStatus::not_run: return "waiting";
+    case rig::RunStatus::finished: return "finished";
+    default: return "failed";
+    }
+}
+
+json run_of(ensemble::RunRecord const& run)
+{
+    return {{"run", run.run},
+            {"wave", run.wave},
+            {"point", run.point},
+            {"experiment", run.experiment},
+            {"replicate", run.replicate},
+            {"factors", run.factors},
+            {"status", rig::name_of(run.status)},
+            {"outcome", outcome_of(run.status)},
+            {"reason", run.reason},
+            {"responses", run.responses},
+            {"wall_time", run.wall_time},
+            {"start_time", run.start_time},
+            {"group", run.group},
+            {"simulated_time", run.simulated_time},
+            {"steps", run.steps},
+            {"particles", run.particles}};
+}
+
+json waves_of(ensemble::Campaign const& campaign)
+{
+    json list = json::array();
+    for (auto const& wave : campaign.waves) {
+        json runs = json::array();
+        for (auto const& run : wave.runs) runs.push_back(run_of(run));
+        list.push_back({{"number", wave.number},
+                        {"purpose", wave.purpose},
+                        {"wall_time", wave.wall_time},
+                        {"groups", wave.groups},
+                        {"runs", runs}});
+    }
+    return list;
+}
+
+//! The run to show for an experiment: a finished one at the best location, else the last finished one; null: none.
+ensemble::RunRecord const* shown_run(ensemble::Campaign const& campaign, int experiment,
+                                     ensemble::NamedArray const* best_point)
+{
+    ensemble::RunRecord const* last = nullptr;
+    for (auto const& wave : campaign.waves) {
+        for (auto const& run : wave.runs) {
+            if (run.experiment != experiment || run.status != rig::RunStatus::finished) continue;
+            if (best_point && run.factors == best_point->data) return &run;
+            last = &run;
+        }
+    }
+    return last;
+}
+
+json details_of_shown_runs(ensemble::Campaign const& campaign, Analysis const& analysis, DetailsOf const& details_of)
+{
+    json list = json::array();
+    auto const* best_point = analysis.find("optimum/best_point");
+    for (std::size_t e = 0; e < campaign.input.experiments.size(); ++e) {
+        auto const* run = shown_run(campaign, static_cast<int>(e), best_point);
+        if (!run) continue;
+        json entry = {{"experiment", e},
+                      {"run", run->run},
+                      {"is_best", best_point && run->factors == best_point->data},
+                      {"snapshots", json::array()},
+                      {"series", json::array()}};
+        try {
+            auto const details = details_of(run->run);
+            for (auto const& snapshot : details.snapshots) entry["snapshots"].push_back(picture_of(snapshot));
+            entry["series"] = series_of(details.series);
+        } catch (InputError const& error) {
+            entry["absent"] = error.what();
+        }
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+} // namespace
+
+json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of)
+{
+    auto const& input = campaign.input;
+    Analysis const analysis(campaign);
+    return {{"name", input.name},
+            {"seed", input.seed},
+            {"ended", campaign.ended},
+            {"stop", {{"wmse", input.stop.wmse}, {"runs", input.stop.runs}, {"waves", input.stop.waves}}},
+            {"factors", factors_of(input)},
+            {"constraints", constraints_of(input)},
+            {"experiments", experiments_of(input)},
+            {"targets", targets_of(input)},
+            {"waves", waves_of(campaign)},
+            {"history",
+             {{"wmse", analysis.values("history/wmse")}, {"point_wmse", analysis.values("history/point_wmse")}}},
+            {"optimum", optimum_of(analysis)},
+            {"surrogate", surrogate_of(analysis)},
+            {"details", details_of_shown_runs(campaign, analysis, details_of)},
+            {"input", {{"text", input.text()}, {"resolved", input.resolved_text()}}}};
+}
+
+} // namespace demens::report

@@ -1,0 +1,155 @@
+// The best fit: factors, targets against simulated values, and how the campaign got there.
+
+function show_fit(parent) {
+    const optimum = campaign.optimum;
+    if (!optimum) {
+        parent.append(element('p', {class: 'note'}, 'No best fit yet: no wave has been analysed.'));
+        return;
+    }
+    const repeated = optimum.repetitions > 1 ? `, simulated ${optimum.repetitions} times with different packings` : '';
+    parent.append(element('p', {},
+        `Design point ${optimum.point_number}${repeated}: weighted mean square error ${number(optimum.wmse)}, `
+        + `root mean square deviation ${number(Math.sqrt(optimum.mean_square_residual), 3)} times the targets' scales.`));
+    const columns = element('div', {class: 'columns uneven'});
+    const left = element('div'), right = element('div');
+    columns.append(left, right);
+    parent.append(columns);
+    left.append(element('h3', {}, 'Factors'), factor_table(), element('h3', {}, 'Targets'), target_table());
+    show_deviations(right);
+}
+
+const verdicts = [['determined', 'good'], ['weakly determined', 'warn'], ['not determined by these targets', 'bad']];
+
+function factor_table() {
+    const optimum = campaign.optimum;
+    const rows = campaign.factors.map((factor, index) => {
+        const interval = optimum.interval ? optimum.interval[index] : [null, null];
+        const [verdict, style] = verdicts[optimum.verdict ? optimum.verdict[index] : -1] || ['–', ''];
+        return [
+            element('td', {title: factor.path}, words_of(factor.name)),
+            element('td', {}, element('b', {}, number(optimum.point[index]))),
+            element('td', {}, known(interval[0]) ? `${number(interval[0], 3)} to ${number(interval[1], 3)}` : '–'),
+            element('td', {}, `${number(factor.lower)} to ${number(factor.upper)}`),
+            element('td', {class: 'text ' + style}, verdict),
+        ];
+    });
+    return simple_table(['factor', 'best', '95 % interval', 'range', 'verdict'], rows);
+}
+
+function target_table() {
+    const optimum = campaign.optimum;
+    const rows = all_targets.map((target) => {
+        const simulated = optimum.responses[target.index];
+        const met = known(target.tolerance) ? Math.abs(simulated - target.value) <= target.tolerance : null;
+        return [
+            element('td', {}, target.label),
+            element('td', {}, number(target.value) + (known(target.sd) ? ' ± ' + number(target.sd, 2) : '')),
+            element('td', {}, element('b', {}, number(simulated))),
+            element('td', {}, signed(simulated - target.value)),
+            element('td', {}, number(target.scale)),
+            element('td', {class: 'text ' + (met === null ? '' : met ? 'good' : 'bad')},
+                    met === null ? '–' : (met ? 'within ± ' : 'outside ± ') + number(target.tolerance)),
+        ];
+    });
+    return simple_table(['response', 'measured', 'simulated', 'difference', 'scale', 'tolerance'], rows);
+}
+
+function simple_table(heads, rows) {
+    const text = (column) => rows.length > 0 && rows[0][column].classList.contains('text') ? {class: 'text'} : {};
+    return element('div', {class: 'wide'}, element('table', {},
+        element('thead', {}, element('tr', {}, ...heads.map((head, column) => element('th', text(column), head)))),
+        element('tbody', {}, ...rows.map((cells) => element('tr', {}, ...cells)))));
+}
+
+// Differences in units of each target's scale, so that all share one axis.
+function show_deviations(parent) {
+    const optimum = campaign.optimum;
+    const best = all_targets.map((target) => ({
+        label: target.label,
+        mean: (optimum.responses[target.index] - target.value) / target.scale,
+        predicted: optimum.predicted_responses
+            ? (optimum.predicted_responses[target.index] - target.value) / target.scale : null,
+        tolerance: known(target.tolerance) ? target.tolerance / target.scale : 0,
+        sd: known(target.sd) ? target.sd / target.scale : 0,
+        text: `${target.label}: measured ${number(target.value)}, simulated ${number(optimum.responses[target.index])}`,
+    }));
+    const single = finished_runs.filter(is_best).flatMap((run) => all_targets
+        .filter((target) => target.experiment === run.experiment && known(run.responses[target.response]))
+        .map((target) => ({label: target.label, text: `run ${run.run}: ${number(run.responses[target.response])}`,
+                           deviation: (run.responses[target.response] - target.value) / target.scale})));
+    const reach = Math.max(1, ...best.flatMap((row) => [Math.abs(row.mean), row.tolerance, row.sd]),
+                           ...single.map((row) => Math.abs(row.deviation))) * 1.08;
+    const middle = {scale: 'y', field: 'label', band: 0.5};
+    plot(parent, 'deviations', {
+        width: 240, height: 46 * best.length,
+        title: {text: 'Simulated − measured, in scales'},
+        data: [{name: 'best', values: best}, {name: 'single', values: single},
+               {name: 'predicted', values: best.filter((row) => known(row.predicted) && Math.abs(row.predicted) <= reach)}],
+        scales: [linear('x', 'width', [-reach, reach], {nice: false}),
+                 {name: 'y', type: 'band', range: 'height', domain: best.map((row) => row.label), padding: 0.25}],
+        axes: [axis('bottom', 'x', 'scales'), {orient: 'left', scale: 'y', ticks: false, domain: false, labelLimit: 190}],
+        marks: [
+            mark('rect', 'best', {x: {scale: 'x', signal: '-datum.tolerance'}, x2: {scale: 'x', field: 'tolerance'},
+                y: {scale: 'y', field: 'label'}, height: {scale: 'y', band: 1}, fill: {value: colours.band},
+                fillOpacity: {value: 0.13}, tooltip: {signal: "'tolerance ± ' + format(datum.tolerance, '.3') + ' scales'"}}),
+            mark('rule', 'best', {x: {scale: 'x', signal: '-datum.sd'}, x2: {scale: 'x', field: 'sd'}, y: middle,
+                stroke: {value: colours.band}, strokeWidth: {value: 5}, strokeOpacity: {value: 0.35}}),
+            mark('rule', null, {x: {scale: 'x', value: 0}, y: {value: 0}, y2: {signal: 'height'}, stroke: {value: colours.band},
+                strokeWidth: {value: 1.5}}),
+            mark('symbol', 'single', {x: {scale: 'x', field: 'deviation'}, y: middle, size: {value: 26},
+                fill: {value: colours.best}, fillOpacity: {value: 0.35}, tooltip: {field: 'text'}}),
+            mark('symbol', 'predicted', {x: {scale: 'x', field: 'predicted'}, y: middle, size: {value: 110},
+                shape: {value: 'diamond'}, stroke: {value: colours.soft}, strokeWidth: {value: 1.2}, fill: {value: 'transparent'},
+                tooltip: {value: 'predicted at the optimum of the surrogates'}}),
+            mark('symbol', 'best', {x: {scale: 'x', field: 'mean'}, y: middle, size: {value: 100}, fill: {value: colours.best},
+                stroke: {value: 'white'}, tooltip: {field: 'text'}}),
+        ],
+    });
+    parent.append(element('p', {class: 'note'}, 'Dot: best point (mean of its runs; small dots: each run). Diamond: optimum of '
+        + 'the surrogates. Shaded: tolerance. Thick line: standard deviation of the measurement, where given.'));
+}
+
+function show_convergence(parent) {
+    const last_run = new Map();
+    for (const run of all_runs) last_run.set(run.point, run);
+    const points = (campaign.history.point_wmse || []).map((wmse, point) => ({point, wmse, last: last_run.get(point)}))
+        .filter((row) => known(row.wmse) && row.last)
+        .map((row) => ({run: row.last.run + 1, wmse: row.wmse, purpose: row.last.purpose,
+                        colour: purpose_colour(row.last.purpose),
+                        text: `point ${row.point} (${row.last.purpose}): ${number(row.wmse)}`}));
+    const best = (campaign.history.wmse || []).map((wmse, run) => ({run: run + 1, wmse})).filter((row) => known(row.wmse));
+    if (points.length === 0) {
+        parent.append(element('p', {class: 'note'}, 'Nothing to show yet: no wave has been analysed.'));
+        return;
+    }
+    const all = [...points, ...best].map((row) => row.wmse).concat(campaign.stop.wmse > 0 ? [campaign.stop.wmse] : []);
+    const positive = Math.min(...all) > 0;
+    const starts = campaign.waves.slice(1).filter((wave) => wave.runs.length > 0)
+        .map((wave) => ({run: wave.runs[0].run + 0.5}));
+    legend(parent, [...new Set(points.map((row) => row.purpose))].map((purpose) => [purpose, purpose_colour(purpose)])
+        .concat([['best so far', colours.best]]));
+    plot(parent, 'convergence', {
+        width: 1000, height: 280,
+        data: [{name: 'points', values: points}, {name: 'best', values: best}, {name: 'waves', values: starts},
+               {name: 'stop', values: campaign.stop.wmse > 0 ? [{wmse: campaign.stop.wmse}] : []}],
+        scales: [linear('x', 'width', [0, all_runs.length + 1], {nice: false}),
+                 positive ? logarithmic('y', 'height', [Math.min(...all) * 0.8, Math.max(...all) * 1.25])
+                          : linear('y', 'height', extent(all))],
+        axes: [axis('bottom', 'x', 'runs', {grid: false, tickCount: 10, tickMinStep: 1, format: 'd'}),
+               axis('left', 'y', 'weighted mean square error', {format: '~g', tickCount: 6})],
+        marks: [
+            mark('rule', 'waves', {x: {scale: 'x', field: 'run'}, y: {value: 0}, y2: {signal: 'height'},
+                stroke: {value: '#c5cdd6'}, strokeDash: {value: [3, 3]}}),
+            mark('rule', 'stop', {y: {scale: 'y', field: 'wmse'}, x: {value: 0}, x2: {signal: 'width'},
+                stroke: {value: colours.band}, tooltip: {value: 'stop.wmse'}}),
+            mark('text', 'stop', {y: {scale: 'y', field: 'wmse', offset: -4}, x: {signal: 'width'}, align: {value: 'right'},
+                text: {signal: "'stop at ' + format(datum.wmse, '.3~g')"}, fill: {value: colours.band}, fontSize: {value: 11}}),
+            mark('symbol', 'points', {x: {scale: 'x', field: 'run'}, y: {scale: 'y', field: 'wmse'}, size: {value: 42},
+                fill: {field: 'colour'}, fillOpacity: {value: 0.85}, tooltip: {field: 'text'}}),
+            mark('line', 'best', {x: {scale: 'x', field: 'run'}, y: {scale: 'y', field: 'wmse'}, stroke: {value: colours.best},
+                strokeWidth: {value: 2}, interpolate: {value: 'step-after'}}),
+        ],
+    });
+    parent.append(element('p', {class: 'note'}, 'Each dot is a design point at the number of its last run; dashed lines part the '
+        + 'waves. The line is the best location as known after each run: it can rise when a repetition corrects it.'));
+}

@@ -1,0 +1,88 @@
+// Particles seen from the front, drawn from their positions on a canvas.
+
+const shades = {
+    // Depth 0 (front) to 100 (back).
+    depth: {legend: 'light in front, dark behind', of: (particles) => (i) => {
+        const t = particles.depth[i] / 100;
+        return `rgb(${Math.round(226 - 104 * t)},${Math.round(197 - 96 * t)},${Math.round(150 - 74 * t)})`;
+    }},
+    speed: {legend: 'blue at rest, yellow at the largest speed', of: (particles) => {
+        const largest = Math.max(1e-9, ...particles.speed);
+        return (i) => {
+            const t = Math.sqrt(particles.speed[i] / largest);
+            return `hsl(${Math.round(235 - 185 * t)},${Math.round(45 + 45 * t)}%,${Math.round(38 + 20 * t)}%)`;
+        };
+    }},
+};
+
+function draw_picture(canvas, picture, shade) {
+    const pixels = 1100, margin = 8;
+    const scale = (pixels - 2 * margin) / Math.max(picture.size[0], picture.size[1] * 0.75, 1);
+    canvas.width = pixels;
+    canvas.height = Math.ceil(picture.size[1] * scale + 2 * margin);
+    const shift = (pixels - picture.size[0] * scale) / 2;
+    const h = (value) => shift + value * scale, v = (value) => canvas.height - margin - value * scale;
+    const context = canvas.getContext('2d');
+    context.fillStyle = '#ffffff';
+    context.fillRect(0, 0, canvas.width, canvas.height);
+
+    const particles = picture.particles, colour = shade.of(particles);
+    context.lineWidth = 0.8;
+    context.strokeStyle = 'rgba(60, 42, 20, 0.55)';
+    for (let i = 0; i < particles.h.length; ++i) {
+        context.beginPath();
+        context.arc(h(particles.h[i]), v(particles.v[i]), Math.max(particles.r[i] * scale, 0.7), 0, 2 * Math.PI);
+        context.fillStyle = colour(i);
+        context.fill();
+        context.stroke();
+    }
+    context.strokeStyle = '#3c4754';
+    for (const [h0, v0, h1, v1] of picture.walls) {
+        const edge = h0 === h1 || v0 === v1; // seen edge on; others are panes between the viewer and the particles
+        context.lineWidth = edge ? 3 : 0.6;
+        context.beginPath();
+        if (edge) {
+            context.moveTo(h(h0), v(v0));
+            context.lineTo(h(h1), v(v1));
+        } else {
+            context.rect(h(h0), v(v1), (h1 - h0) * scale, (v1 - v0) * scale);
+        }
+        context.stroke();
+    }
+    canvas.dataset.marks = particles.h.length + picture.walls.length;
+}
+
+function show_pictures(parent) {
+    if (campaign.details.length === 0) {
+        parent.append(element('p', {class: 'note'}, 'No run has finished yet.'));
+        return;
+    }
+    const drawings = [];
+    for (const details of campaign.details) {
+        const head = element('p', {class: 'note'}, title_of_details(details));
+        parent.append(head);
+        if (details.absent) head.append(`: no picture, ${details.absent}`);
+        const row = element('div', {class: 'columns', style:
+            `grid-template-columns: repeat(${Math.min(Math.max(details.snapshots.length, 2), 3)}, 1fr)`});
+        parent.append(row);
+        for (const picture of details.snapshots) {
+            const canvas = element('canvas', {class: 'picture', 'data-plot': `picture-${details.experiment}-${picture.name}`});
+            const shown = plural(picture.particles.h.length, 'particle')
+                + (picture.hidden > 0 ? ` (${picture.hidden} behind left out)` : '');
+            row.append(element('figure', {}, canvas, element('figcaption', {},
+                `${words_of(picture.name)}, ${number(picture.time, 3)} s, ${shown}`)));
+            drawings.push([canvas, picture]);
+        }
+    }
+    if (drawings.length === 0) return;
+    const choice = element('select', {});
+    for (const name of Object.keys(shades)) choice.append(element('option', {}, name));
+    const explained = element('span');
+    const redraw = () => {
+        explained.textContent = ' (' + shades[choice.value].legend + ')';
+        for (const [canvas, picture] of drawings) draw_picture(canvas, picture, shades[choice.value]);
+    };
+    choice.addEventListener('change', redraw);
+    parent.querySelector('h2').after(element('div', {class: 'controls'}, 'colour: ', choice, explained));
+    redraw();
+}

@@ -1,0 +1,60 @@
+// Plots are plain Vega specifications drawn as SVG. A finished plot says in data-marks how many marks it has.
+
+const vega = (() => {
+    const {transforms} = require('vega-dataflow');
+    for (const name of ['transforms', 'view-transforms', 'encode']) Object.assign(transforms, require('vega-' + name));
+    return {View: require('vega-view').View, parse: require('vega-parser').parse};
+})();
+
+const plot_style = {
+    background: null,
+    font: 'Helvetica Neue, Helvetica, Arial, Liberation Sans, sans-serif',
+    axis: {
+        labelColor: colours.soft, labelFontSize: 11, titleColor: colours.ink, titleFontSize: 12, titleFontWeight: 'normal',
+        domainColor: '#aab4c0', tickColor: '#aab4c0', tickSize: 4, gridColor: '#edf0f4', labelFlush: false, titlePadding: 7,
+    },
+    legend: {labelFontSize: 12, labelColor: colours.ink, symbolSize: 70},
+    title: {fontSize: 12.5, fontWeight: 600, color: colours.ink, anchor: 'start', offset: 8},
+};
+
+const pending_plots = [];
+
+function count_marks(container) {
+    const shapes = '.role-mark:not(.mark-group) > ';
+    return container.querySelectorAll(['path', 'line', 'text', 'rect'].map((tag) => shapes + tag).join(', ')).length;
+}
+
+// Draws a specification into a new element of `parent`.
+function plot(parent, name, specification) {
+    const container = element('div', {class: 'plot', 'data-plot': name});
+    parent.append(container);
+    const view = new vega.View(vega.parse({autosize: 'pad', padding: 4, ...specification}, plot_style),
+                               {renderer: 'svg', container, hover: true});
+    pending_plots.push(view.runAsync().then(() => {
+        container.dataset.marks = count_marks(container);
+    }).catch(report_error));
+    return container;
+}
+
+// Shorthand for the pieces that most plots have.
+const linear = (name, range, domain, more = {}) => ({name, type: 'linear', range, domain, nice: true, zero: false, ...more});
+const logarithmic = (name, range, domain) => ({name, type: 'log', range, domain, nice: true});
+const axis = (orient, scale, title, more = {}) => ({orient, scale, title, grid: true, tickCount: 5, ...more});
+const mark = (type, data, encode, more = {}) => ({type, from: data && {data}, encode: {update: encode}, ...more});
+
+function extent(values, margin = 0.05) {
+    const numbers = values.filter(known);
+    if (numbers.length === 0) return [0, 1];
+    const lower = Math.min(...numbers), upper = Math.max(...numbers);
+    const room = margin * (upper - lower) || Math.abs(upper) * 0.05 || 0.5;
+    return [lower - room, upper + room];
+}
+
+// A legend of coloured dots above plots, in HTML so that it can be shared.
+function legend(parent, entries) {
+    const line = element('p', {class: 'note'});
+    for (const [text, colour] of entries)
+        line.append(element('span', {style: `color:${colour}; font-size:15px`}, '● '), text + '   ');
+    line.style.whiteSpace = 'pre-wrap';
+    parent.append(line);
+}

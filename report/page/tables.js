@@ -1,0 +1,71 @@
+// The table of runs, sorted by a click on a column's head.
+
+function run_columns() {
+    const factor_columns = campaign.factors.map((factor, index) => ({
+        head: words_of(factor.name), value: (run) => run.factors[index]}));
+    const names = [...new Set(campaign.experiments.flatMap((e) => e.responses.map((response) => response.name)))];
+    const response_columns = names.map((name) => {
+        const places = campaign.experiments.map((e) => e.responses.findIndex((response) => response.name === name));
+        const units = campaign.experiments.flatMap((e) => e.responses).find((response) => response.name === name).units;
+        return {head: label_of(name, units), value: (run) => run.responses[places[run.experiment]]};
+    });
+    return [
+        {head: 'run', value: (run) => run.run},
+        {head: 'wave', value: (run) => run.wave},
+        {head: 'purpose', text: true, value: (run) => run.purpose},
+        {head: 'point', value: (run) => run.point},
+        ...(several_experiments
+            ? [{head: 'experiment', text: true, value: (run) => campaign.experiments[run.experiment].name}] : []),
+        ...(campaign.experiments.some((e) => e.replicates > 1) ? [{head: 'replicate', value: (run) => run.replicate}] : []),
+        {head: 'status', text: true, value: (run) => run.status},
+        ...factor_columns, ...response_columns,
+        {head: 'wall time [s]', value: (run) => run.outcome === 'waiting' ? null : run.wall_time},
+    ];
+}
+
+function show_runs(parent) {
+    if (all_runs.length === 0) {
+        parent.append(element('p', {class: 'note'}, 'No run is planned yet.'));
+        return;
+    }
+    if (failed_runs.length > 0) parent.append(list_of_failures());
+    const columns = run_columns();
+    const body = element('tbody');
+    const heads = columns.map((column) => element('th', column.text ? {class: 'text'} : {}, column.head));
+    const fill = (runs) => body.replaceChildren(...runs.map((run) => element('tr',
+        {class: run.outcome === 'finished' && is_best(run) ? 'best' : run.outcome, title: run.reason},
+        ...columns.map((column) => {
+            const value = column.value(run);
+            const text = column.text ? String(value ?? '') : Number.isInteger(value) ? String(value) : number(value);
+            return element('td', column.text ? {class: 'text'} : {}, text);
+        }))));
+    heads.forEach((head, index) => head.addEventListener('click', () => {
+        const down = head.dataset.order === 'up';
+        heads.forEach((other) => delete other.dataset.order);
+        head.dataset.order = down ? 'down' : 'up';
+        fill(sorted_by(columns[index], down));
+    }));
+    fill(all_runs);
+    parent.append(element('p', {class: 'note'}, (failed_runs.length > 0 ? 'Red: failed, kept out of all fits. ' : '')
+        + 'Green: best point. Click on a column to sort by it.'));
+    parent.append(element('div', {class: 'scroll'},
+        element('table', {class: 'sortable'}, element('thead', {}, element('tr', {}, ...heads)), body)));
+}
+
+function list_of_failures() {
+    const lines = failed_runs.map((run) => element('li', {}, element('b', {}, `Run ${run.run}, ${run.status}: `), run.reason || '–'));
+    const list = element('ul', {class: 'failures'}, ...lines);
+    return failed_runs.length <= 8 ? list
+        : element('details', {}, element('summary', {}, `Why ${failed_runs.length} runs failed`), list);
+}
+
+// Runs without a value come last in both orders.
+function sorted_by(column, down) {
+    const missing = (value) => value === null || value === undefined || value === '';
+    return [...all_runs].sort((a, b) => {
+        const x = column.value(a), y = column.value(b);
+        if (missing(x) || missing(y)) return Number(missing(x)) - Number(missing(y));
+        const order = column.text ? x.localeCompare(y) : x - y;
+        return down ? -order : order;
+    });
+}

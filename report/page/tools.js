@@ -1,0 +1,96 @@
+// Small things that all parts of the page use.
+
+const campaign = JSON.parse(document.getElementById('document').textContent);
+
+const colours = {
+    ink: '#1d2733', soft: '#5d6b7a', line: '#dde3ea', accent: '#1f5fa8', best: '#c2412d', band: '#2f7d4f', failed: '#d9534a',
+    design: '#8b9db3', search: '#1f5fa8', confirmation: '#c98a1b',
+};
+const purpose_colour = (purpose) => colours[purpose] || colours.accent;
+
+// What went wrong is kept where a test can read it, and shown.
+const script_errors = [];
+function report_error(error) {
+    script_errors.push(String(error && error.message || error));
+    document.body.dataset.errors = script_errors.length;
+    let box = document.getElementById('errors');
+    if (!box) {
+        box = element('p', {id: 'errors'});
+        document.body.prepend(box);
+    }
+    box.textContent = 'This page could not show everything: ' + script_errors.join('; ');
+}
+window.addEventListener('error', (event) => report_error(event.error || event.message));
+window.addEventListener('unhandledrejection', (event) => report_error(event.reason));
+
+// element('td', {class: 'text'}, 'a', child): an element with attributes and children.
+function element(tag, attributes = {}, ...children) {
+    const made = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+    made.append(...children.filter((child) => child !== null && child !== undefined));
+    return made;
+}
+
+const section = (id) => document.getElementById(id);
+const known = (value) => typeof value === 'number' && Number.isFinite(value);
+
+function number(value, digits = 4) {
+    if (!known(value)) return '–';
+    const rounded = Number(value.toPrecision(digits));
+    const size = Math.abs(rounded);
+    if (size !== 0 && (size < 1e-4 || size >= 1e7)) return rounded.toExponential();
+    return String(rounded).replace('-', '−');
+}
+
+function signed(value, digits = 3) {
+    return known(value) && value > 0 ? '+' + number(value, digits) : number(value, digits);
+}
+
+function duration(seconds) {
+    if (!known(seconds)) return '–';
+    if (seconds < 120) return number(seconds, 3) + ' s';
+    if (seconds < 7200) return number(seconds / 60, 3) + ' min';
+    return number(seconds / 3600, 3) + ' h';
+}
+
+const plural = (count, word) => count + ' ' + word + (count === 1 ? '' : 's');
+const printed_units = (units) => ({deg: '°', rad: 'rad', '1': '', '': ''}[units] ?? units);
+
+// 'mass_flow_kg_s' with units 'kg/s' is 'mass flow' in words.
+function words_of(name, units = '') {
+    const suffix = '_' + units.replace(/[^A-Za-z0-9]+/g, '_');
+    const bare = suffix.length > 1 && name.endsWith(suffix) ? name.slice(0, -suffix.length) : name;
+    return bare.replace(/_/g, ' ');
+}
+
+function label_of(name, units) {
+    const printed = printed_units(units);
+    return words_of(name, units) + (printed ? ' [' + printed + ']' : '');
+}
+
+// Everything about the target of that number: its experiment, response and a label.
+function target_info(index) {
+    const target = campaign.targets[index];
+    const experiment = campaign.experiments[target.experiment];
+    const response = experiment.responses[target.response];
+    const prefix = campaign.experiments.length > 1 ? experiment.name + ': ' : '';
+    return {...target, index, units: response.units, label: prefix + label_of(response.name, response.units),
+            short: prefix + words_of(response.name, response.units)};
+}
+
+const all_targets = campaign.targets.map((_, index) => target_info(index));
+const all_runs = campaign.waves.flatMap((wave) => wave.runs.map((run) => ({...run, purpose: wave.purpose})));
+const finished_runs = all_runs.filter((run) => run.outcome === 'finished');
+const failed_runs = all_runs.filter((run) => run.outcome === 'failed');
+const several_experiments = campaign.experiments.length > 1;
+
+function same_point(a, b) {
+    return Boolean(a && b) && a.length === b.length && a.every((value, index) => value === b[index]);
+}
+const is_best = (run) => campaign.optimum !== null && same_point(run.factors, campaign.optimum.point);
+
+// Place of a value in a factor's range, 0 at its lower bound and 1 at its upper one.
+function place_in_range(factor, value) {
+    const scale = factor.log ? Math.log : (x) => x;
+    return (scale(value) - scale(factor.lower)) / (scale(factor.upper) - scale(factor.lower));
+}

@@ -1,0 +1,131 @@
+#include "report/document.hpp"
+
+#include "demens/base/error.hpp"
+#include "report/page.hpp"
+#include "report/picture.hpp"
+#include "sample_campaign.hpp"
+
+#include <gtest/gtest.h>
+
+namespace demens::report {
+
+using nlohmann::json;
+
+namespace {
+
+json sample_document() { return document_of(test::sample_campaign(), test::sample_details); }
+
+} // namespace
+
+TEST(Document, holds_every_run_with_its_status_and_reason)
+{
+    auto const document = sample_document();
+    ASSERT_EQ(document["waves"].size(), 2u);
+    EXPECT_EQ(document["waves"][0]["runs"].size(), 16u);
+    EXPECT_EQ(document["waves"][1]["runs"].size(), 8u);
+    auto const& failed = document["waves"][0]["runs"][5];
+    EXPECT_EQ(failed["status"], rig::name_of(rig::RunStatus::escaped));
+    EXPECT_EQ(failed["outcome"], "failed");
+    EXPECT_EQ(failed["reason"], "3 particles left the domain at 0.2 s, the first near (0.1, 0, -1) m <b>");
+    EXPECT_DOUBLE_EQ(document["waves"][1]["runs"][0]["responses"][0], 20 + 12 * 0.6 + 8 * 0.25);
+}
+
+TEST(Document, lists_targets_in_the_order_of_the_calibration)
+{
+    auto const targets = sample_document()["targets"];
+    ASSERT_EQ(targets.size(), 3u);
+    EXPECT_EQ(targets[1]["experiment"], 0);
+    EXPECT_EQ(targets[1]["response"], 1);
+    EXPECT_EQ(targets[2]["experiment"], 1);
+    EXPECT_DOUBLE_EQ(targets[2]["value"], 28.0);
+}
+
+TEST(Document, nests_the_arrays_of_the_calibration)
+{
+    auto const document = sample_document();
+    EXPECT_DOUBLE_EQ(document["optimum"]["wmse"], 0.031);
+    EXPECT_DOUBLE_EQ(document["optimum"]["interval"][1][1], 0.5);
+    EXPECT_DOUBLE_EQ(document["optimum"]["correlation"][1][0], -0.82);
+    auto const& surrogate = document["surrogate"];
+    EXPECT_DOUBLE_EQ(surrogate["slice_values"][2][40], 1000.0);
+    // Target 1 (mass flow) along factor 0 at its lower bound: 7 - 2.5 * 0.1.
+    EXPECT_DOUBLE_EQ(surrogate["slices"][1][0][0], 6.75);
+}
+
+TEST(Document, shows_a_run_at_the_best_point_of_each_experiment)
+{
+    auto const details = sample_document()["details"];
+    ASSERT_EQ(details.size(), 2u);
+    EXPECT_EQ(details[0]["run"], 16);
+    EXPECT_EQ(details[1]["run"], 18);
+    EXPECT_EQ(details[0]["is_best"], true);
+}
+
+TEST(Document, shows_the_last_finished_run_while_nothing_is_analysed)
+{
+    auto const document = document_of(test::campaign_under_way(), test::sample_details);
+    EXPECT_TRUE(document["optimum"].is_null());
+    EXPECT_TRUE(document["surrogate"].is_null());
+    ASSERT_EQ(document["details"].size(), 2u);
+    EXPECT_EQ(document["details"][0]["run"], 4);
+    EXPECT_EQ(document["details"][1]["run"], 2); // run 3, of the same experiment, failed
+    EXPECT_EQ(document["details"][0]["is_best"], false);
+}
+
+TEST(Document, says_why_a_run_has_no_picture)
+{
+    auto const document = document_of(test::sample_campaign(), [](int run) -> ensemble::RunDetails {
+        throw InputError("run " + std::to_string(run) + " has no snapshots");
+    });
+    EXPECT_EQ(document["details"][0]["absent"], "run 16 has no snapshots");
+}
+
+TEST(Picture, draws_the_nearest_particle_last_and_keeps_proportions)
+{
+    auto const picture = picture_of(test::sample_details(0).snapshots[0]);
+    auto const& particles = picture["particles"];
+    ASSERT_EQ(particles["h"].size(), 600u);
+    double const quantum = picture["quantum"];
+    EXPECT_DOUBLE_EQ(quantum, 1.2 / 8192);
+    EXPECT_EQ(picture["axes"][0], "x");
+    EXPECT_EQ(particles["depth"].front(), 90); // y = 0.45 of 0 to 0.5
+    EXPECT_EQ(particles["depth"].back(), 10);
+    EXPECT_NEAR(particles["r"][0].get<double>() * quantum, 0.05, quantum);
+    EXPECT_NEAR(particles["h"].back().get<double>() * quantum, 1.15, quantum);
+    EXPECT_NEAR(picture["walls"][1][0].get<double>() * quantum, 1.2, quantum);
+}
+
+TEST(Picture, leaves_out_particles_that_are_nowhere)
+{
+    auto snapshot = test::sample_details(0).snapshots[0];
+    snapshot.x[3] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(picture_of(snapshot)["particles"]["h"].size(), 599u);
+}
+
+TEST(Picture, thins_a_long_series)
+{
+    auto const columns = series_of(test::sample_details(0).series);
+    ASSERT_EQ(columns.size(), 2u);
+    EXPECT_EQ(columns[1]["units"], "kg");
+    EXPECT_EQ(columns[1]["values"].size(), 601u); // every second of 1201
+    EXPECT_DOUBLE_EQ(columns[1]["values"][600], 25.0 - 0.01 * 1200);
+}
+
+TEST(Page, no_text_of_the_campaign_can_break_out_of_it)
+{
+    auto const page = page_of(sample_document(), "a < b");
+    EXPECT_NE(page.find("<title>a &lt; b</title>"), std::string::npos);
+    std::size_t closings = 0;
+    for (std::size_t at = page.find("</script>"); at != std::string::npos; at = page.find("</script>", at + 1))
+        ++closings;
+    EXPECT_EQ(closings, 3u);
+}
+
+TEST(Page, refers_to_nothing_outside_itself)
+{
+    auto const page = page_of(sample_document(), "title");
+    for (char const* reference : {"<link", " src=", "@import", "url(http", "sourceMappingURL"})
+        EXPECT_EQ(page.find(reference), std::string::npos) << reference;
+}
+
+} // namespace demens::report

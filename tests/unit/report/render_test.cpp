@@ -1,0 +1,136 @@
+//! The page in a real browser: no script error, every plot has marks. CHROMIUM names the program.
+
+#include "report/document.hpp"
+#include "report/page.hpp"
+#include "sample_campaign.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <unistd.h>
+
+namespace demens::report {
+
+namespace {
+
+//! A folder that goes with the object.
+class TemporaryFolder
+{
+  public:
+    TemporaryFolder()
+    {
+        std::string name = std::filesystem::temp_directory_path() / "demens-report-XXXXXX";
+        path_ = mkdtemp(name.data());
+    }
+    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+    std::filesystem::path const& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+//! The document object model of a campaign's page after its scripts ran.
+std::string rendered(ensemble::Campaign const& campaign)
+{
+    TemporaryFolder const folder;
+    auto const page = folder.path() / "page.html", result = folder.path() / "dom.html";
+    std::ofstream(page) << page_of(document_of(campaign, test::sample_details), campaign.input.name);
+    std::string const command =
+        std::string("timeout 120 ") + CHROMIUM +
+        " --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --disable-quic --no-first-run"
+        " --disable-background-networking --disable-component-update --disable-sync --user-data-dir=" +
+        (folder.path() / "profile").string() + " --virtual-time-budget=20000 --dump-dom file://" + page.string() + " > " +
+        result.string() + " 2> /dev/null";
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    std::stringstream text;
+    text << std::ifstream(result).rdbuf();
+    return text.str();
+}
+
+std::string body_tag(std::string const& page)
+{
+    std::smatch match;
+    return std::regex_search(page, match, std::regex("<body[^>]*>")) ? match.str() : "";
+}
+
+//! Number of marks of each plot and picture.
+std::map<std::string, int> marks_of(std::string const& page)
+{
+    std::map<std::string, int> marks;
+    std::regex const container(R"re(data-plot="([^"]*)"([^>]*)>)re"), count(R"re(data-marks="(\d+)")re");
+    for (std::sregex_iterator plot(page.begin(), page.end(), container), end; plot != end; ++plot) {
+        std::string const attributes = (*plot)[2];
+        std::smatch match;
+        marks[(*plot)[1]] = std::regex_search(attributes, match, count) ? std::stoi(match[1]) : 0;
+    }
+    return marks;
+}
+
+void expect_no_error(std::string const& page)
+{
+    EXPECT_NE(body_tag(page).find("data-errors=\"0\""), std::string::npos) << body_tag(page);
+    EXPECT_NE(body_tag(page).find("data-ready=\"yes\""), std::string::npos) << body_tag(page);
+}
+
+int count_of(std::string const& page, std::string const& piece)
+{
+    int count = 0;
+    for (auto at = page.find(piece); at != std::string::npos; at = page.find(piece, at + 1)) ++count;
+    return count;
+}
+
+} // namespace
+
+TEST(Render, finished_campaign)
+{
+    auto const page = rendered(test::sample_campaign());
+    expect_no_error(page);
+    auto const marks = marks_of(page);
+    for (auto const& [plot, count] : marks) EXPECT_GT(count, 0) << plot;
+
+    // 3 tolerance bands and 3 errors bars, 1 zero line, 6 single values (4 runs, 2 of them with two targets),
+    // 3 diamonds, 3 means.
+    EXPECT_EQ(marks.at("deviations"), 3 + 3 + 1 + 6 + 3 + 3);
+    // 1 wave border, the stop line and its text, 5 points that did not fail, the line.
+    EXPECT_EQ(marks.at("convergence"), 1 + 2 + 5 + 1);
+    EXPECT_EQ(marks.at("intervals"), 5 * 3);
+    EXPECT_EQ(marks.at("correlations"), 2 * 6);
+    // Band, target, area, line, and the 12 runs of an experiment; one of the first experiment failed.
+    EXPECT_EQ(marks.at("response-0-0-static_friction"), 4 + 11);
+    EXPECT_EQ(marks.at("response-1-0-cohesion"), 4 + 12);
+    EXPECT_EQ(marks.at("response-0-2-cohesion"), 11); // without a target
+    EXPECT_EQ(marks.at("series-0-upper_mass_kg"), 1);
+    EXPECT_EQ(marks.at("timing"), 24 + 2);
+    EXPECT_EQ(marks.at("picture-1-final"), 600 + 4);
+    // Four of the fit, two experiments with three responses against three factors, series, timing, pictures.
+    EXPECT_EQ(marks.size(), 4u + 2u * 3u * 3u + 2u + 1u + 4u);
+    EXPECT_EQ(count_of(page, "<tr class=\"failed\""), 1);
+    EXPECT_EQ(count_of(page, "<tr class=\"best\""), 4);
+    EXPECT_NE(page.find("no better point in 4 waves"), std::string::npos);
+}
+
+TEST(Render, campaign_under_way)
+{
+    auto const page = rendered(test::campaign_under_way());
+    expect_no_error(page);
+    auto const marks = marks_of(page);
+    for (auto const& [plot, count] : marks) EXPECT_GT(count, 0) << plot;
+    EXPECT_EQ(marks.count("deviations"), 0u);
+    EXPECT_EQ(marks.at("timing"), 5 + 1);
+    // Band, target and the three runs of the first experiment that finished.
+    EXPECT_EQ(marks.at("response-0-0-static_friction"), 2 + 3);
+    EXPECT_EQ(count_of(page, "<tr class=\"waiting\""), 11);
+}
+
+TEST(Render, new_campaign)
+{
+    auto const page = rendered(test::new_campaign());
+    expect_no_error(page);
+    EXPECT_TRUE(marks_of(page).empty());
+}
+
+} // namespace demens::report
