@@ -1,0 +1,154 @@
+#include "tao_calib/regression/analysis.hpp"
+
+#include "tao_calib/regression/distributions.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace demens::tao_calib {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+AnovaRow untested(std::string source, double sum_of_squares, int degrees)
+{
+    return {std::move(source), sum_of_squares, degrees, sum_of_squares / degrees, nan, nan};
+}
+
+AnovaRow tested(std::string source, double sum_of_squares, int degrees, AnovaRow const& error)
+{
+    double const mean_square = sum_of_squares / degrees, f = mean_square / error.mean_square;
+    return {std::move(source),
+            sum_of_squares,
+            degrees,
+            mean_square,
+            f,
+            f_p_value(f, degrees, error.degrees_of_freedom)};
+}
+
+//! Scatter of the runs about the mean of their own point.
+AnovaRow pure_error(RegressionData const& data)
+{
+    constexpr double same = 1e-9;
+    auto const runs = data.values.size();
+    std::vector<bool> counted(runs, false);
+    double sum = 0;
+    int degrees = 0;
+    for (Index i = 0; i < runs; ++i) {
+        if (counted[i])
+            continue;
+        std::vector<double> values;
+        for (Index j = i; j < runs; ++j)
+            if (!counted[j] && (data.coded.row(j) - data.coded.row(i)).cwiseAbs().maxCoeff() < same) {
+                counted[j] = true;
+                values.push_back(data.values[j]);
+            }
+        auto const map = VectorXd::Map(values.data(), static_cast<Index>(values.size()));
+        sum += (map.array() - map.mean()).square().sum();
+        degrees += static_cast<int>(values.size()) - 1;
+    }
+    return untested("pure error", sum, degrees);
+}
+
+} // namespace
+
+std::vector<AnovaRow> analysis_of_variance(Regression const& regression)
+{
+    auto const& coefficients = regression.coefficients();
+    double const total = regression.total_sum_of_squares(), left = regression.residual_sum_of_squares();
+    auto const residual = untested("residual", left, regression.residual_degrees_of_freedom());
+
+    std::vector<AnovaRow> rows;
+    rows.push_back(tested("model", total - left, static_cast<int>(coefficients.size()) - 1, residual));
+    for (auto const& coefficient : coefficients)
+        if (coefficient.term.degree() > 0)
+            rows.push_back(tested(coefficient.term.name(regression.data().factors),
+                                  coefficient.t * coefficient.t * residual.mean_square, 1, residual));
+    rows.push_back(residual);
+    auto const pure = pure_error(regression.data());
+    int const lack_degrees = residual.degrees_of_freedom - pure.degrees_of_freedom;
+    if (pure.degrees_of_freedom > 0 && lack_degrees > 0 && pure.sum_of_squares > 0) {
+        rows.push_back(tested("lack of fit", left - pure.sum_of_squares, lack_degrees, pure));
+        rows.push_back(pure);
+    }
+    rows.push_back(untested("total", total, regression.runs() - 1));
+    return rows;
+}
+
+std::vector<Effect> pareto(Regression const& regression)
+{
+    std::vector<Effect> effects;
+    for (auto const& coefficient : regression.coefficients())
+        if (coefficient.term.degree() > 0)
+            effects.push_back({coefficient.term.name(regression.data().factors), 2 * coefficient.value,
+                               coefficient.t, coefficient.p});
+    std::stable_sort(effects.begin(), effects.end(), [](Effect const& a, Effect const& b) {
+        return std::abs(a.standardised) > std::abs(b.standardised);
+    });
+    return effects;
+}
+
+VectorXd influence_shares(RegressionData const& data)
+{
+    auto const factors = static_cast<int>(data.factors.size());
+    Regression const linear(data, polynomial_terms(PolynomialModel::linear, factors));
+    VectorXd shares(factors);
+    for (int k = 0; k < factors; ++k) {
+        // The spread of the response divides all of them and drops out.
+        double const spread = (data.coded.col(k).array() - data.coded.col(k).mean()).matrix().norm();
+        shares[k] = std::abs(linear.coefficients()[k + 1].value) * spread;
+    }
+    return shares / shares.sum();
+}
+
+VectorXd adjusted_response(Regression const& regression, int factor)
+{
+    auto const& coded = regression.data().coded;
+    VectorXd result = regression.residuals();
+    for (Index run = 0; run < coded.rows(); ++run) {
+        double sum = 0;
+        for (Index other = 0; other < coded.rows(); ++other) {
+            VectorXd point = coded.row(other).transpose();
+            point[factor] = coded(run, factor);
+            sum += regression.predict(point);
+        }
+        result[run] += sum / static_cast<double>(coded.rows());
+    }
+    return result;
+}
+
+std::optional<StationaryPoint> stationary_point(Regression const& regression)
+{
+    auto const factors = regression.data().coded.cols();
+    MatrixXd half_hessian = MatrixXd::Zero(factors, factors);
+    for (auto const& coefficient : regression.coefficients()) {
+        auto const& exponents = coefficient.term.exponents;
+        if (coefficient.term.degree() > 2)
+            return std::nullopt;
+        if (coefficient.term.degree() < 2)
+            continue;
+        for (Index i = 0; i < factors; ++i)
+            for (Index j = 0; j < factors; ++j) {
+                if (i == j && exponents[i] == 2)
+                    half_hessian(i, i) = coefficient.value;
+                if (i != j && exponents[i] == 1 && exponents[j] == 1)
+                    half_hessian(i, j) = 0.5 * coefficient.value;
+            }
+    }
+    Eigen::SelfAdjointEigenSolver<MatrixXd> const solver(half_hessian);
+    VectorXd const curvatures = solver.eigenvalues();
+    if (curvatures.cwiseAbs().minCoeff() <= 1e-12 * curvatures.cwiseAbs().maxCoeff())
+        return std::nullopt;
+    VectorXd const slope = regression.gradient(VectorXd::Zero(factors));
+    MatrixXd const& axes = solver.eigenvectors();
+    VectorXd const point = -0.5 * (axes * curvatures.cwiseInverse().asDiagonal() * axes.transpose() * slope);
+    return StationaryPoint{point, regression.predict(point), curvatures};
+}
+
+} // namespace demens::tao_calib
