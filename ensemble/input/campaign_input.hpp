@@ -50,13 +50,15 @@ struct LinearConstraint
 struct DesignOptions
 {
     std::string kind = "latin_hypercube";
-    int points = 0;                      //!< 0: a default that suits the factors
-    int centre_repetitions = 0;          //!< central composite and Box-Behnken take at least one
-    double axial_distance = 0;           //!< central composite; 0: rotatable, 1: on the faces
-    int levels = 2;                      //!< full factorial; D-optimal: of a factor's candidates, at least 3
-    std::string model = "quadratic";     //!< D-optimal: linear, interaction, quadratic
-    std::vector<std::string> generators; //!< fractional factorial and its composite, e.g. "E=ABC"; empty: chosen
-    std::vector<std::vector<double>> table; //!< rows of factor values: `kind = "table"`, or kept by a D-optimal design
+    int points = 0;                  //!< 0: a default that suits the factors
+    int centre_repetitions = 0;      //!< central composite and Box-Behnken take at least one
+    double axial_distance = 0;       //!< central composite; 0: rotatable, 1: on the faces
+    int levels = 2;                  //!< full factorial; D-optimal: of a factor's candidates, at least 3
+    std::string model = "quadratic"; //!< D-optimal: linear, interaction, quadratic
+    std::vector<std::string>
+        generators; //!< fractional factorial and its composite, e.g. "E=ABC"; empty: chosen
+    std::vector<std::vector<double>>
+        table; //!< rows of factor values: `kind = "table"`, or kept by a D-optimal design
 };
 
 struct SurrogateOptions

@@ -11,15 +11,14 @@ namespace {
 //! The rig that a table names; it decides which further keys the table may have.
 rig::RigInfo const& rig_of(InputTable const& table, std::vector<rig::RigInfo> const& rigs)
 {
-    auto const& specs = experiment_options();
-    auto const spec = std::find_if(specs.begin(), specs.end(), [](auto const& s) { return s.key == "rig"; });
+    auto const& spec = spec_of(experiment_options(), "rig");
     if (!table.has("rig")) {
         auto const misspelt = nearest("rig", table.keys());
         throw misspelt.empty()
-            ? table.error(fmt::format("the key \"rig\" is missing; give rig = ... ({})", spec->doc))
+            ? table.error(fmt::format("the key \"rig\" is missing; give rig = ... ({})", spec.doc))
             : table.error(misspelt, "unknown key; did you mean \"rig\"?");
     }
-    auto const name = std::get<std::string>(table.read_option(*spec));
+    auto const name = std::get<std::string>(table.read_option(spec));
     std::vector<std::string> names;
     for (auto const& rig : rigs) {
         if (rig.name == name)
@@ -72,16 +71,19 @@ ReadExperiments read_experiments(InputTable const& file, BaseInput& base,
     ReadExperiments read;
     read.tables = file.table_list("experiment");
     for (auto& table : read.tables) {
+        if (table.has("name")) {
+            auto const name = std::get<std::string>(table.read_option(spec_of(experiment_options(), "name")));
+            check_name(table, "name", name);
+            table.set_path("experiment." + name);
+        }
         auto const& rig = rig_of(table, rigs);
         auto specs = experiment_options();
         specs.insert(specs.end(), rig.options.begin(), rig.options.end());
         auto values = table.read(specs, {"target"});
         auto const name = values.text("name");
-        check_name(table, "name", name);
         for (auto const& other : read.experiments)
             if (other.name == name)
                 throw table.error("name", "two experiments have this name; give each its own");
-        table.set_path("experiment." + name);
         check_names(table, rig.options, values, base);
 
         read.experiments.push_back({name, &rig, static_cast<int>(values.integer("replicates")),

@@ -4,7 +4,9 @@
 #include "ensemble/input/campaign_input.hpp"
 #include "ensemble/input/section.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <map>
 
 namespace demens::ensemble::input {
 namespace {
@@ -122,10 +124,26 @@ std::vector<ListSpec> const& factor_lists()
 std::vector<ListSpec> const& design_lists()
 {
     static std::vector<ListSpec> const specs = {
-        {"generators", "words", "fractional_factorial: words such as \"E=ABC\""},
-        {"table", "rows of numbers", "table: one row of factor values for each design point, in own units"},
+        {"generators", "words", "words such as \"E=ABC\"; none: chosen for the best resolution"},
+        {"table", "rows of numbers", "one row of factor values for each design point, in own units"},
     };
     return specs;
+}
+
+std::vector<std::string> design_kinds_using(std::string const& key)
+{
+    static std::map<std::string, std::vector<std::string>> const kinds = {
+        {"points", {"latin_hypercube", "sobol", "fractional_factorial", "d_optimal"}},
+        {"centre_repetitions",
+         {"full_factorial", "fractional_factorial", "central_composite", "box_behnken"}},
+        {"axial_distance", {"central_composite"}},
+        {"levels", {"full_factorial", "d_optimal"}},
+        {"model", {"d_optimal"}},
+        {"generators", {"fractional_factorial", "central_composite"}},
+        {"table", {"table", "d_optimal"}},
+    };
+    auto const found = kinds.find(key);
+    return found == kinds.end() ? std::vector<std::string>{} : found->second;
 }
 
 std::vector<SectionInfo> const& all_sections()
@@ -149,6 +167,11 @@ std::vector<SectionInfo> const& all_sections()
         {"[run]", "how runs are executed", specs_of<RunOptions>()},
     };
     return sections;
+}
+
+OptionSpec const& spec_of(std::vector<OptionSpec> const& specs, std::string const& key)
+{
+    return *std::find_if(specs.begin(), specs.end(), [&](auto const& spec) { return spec.key == key; });
 }
 
 std::vector<std::string> keys_of(std::vector<OptionSpec> const& specs)

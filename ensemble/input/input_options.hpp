@@ -34,9 +34,14 @@ std::vector<ListSpec> const& size_distribution_lists();
 std::vector<ListSpec> const& factor_lists();
 std::vector<ListSpec> const& design_lists();
 
+//! Kinds of design that use a key of `[design]`; none: all kinds.
+std::vector<std::string> design_kinds_using(std::string const& key);
+
 //! All sections in the order in which an author writes them.
 std::vector<SectionInfo> const& all_sections();
 
+//! The option of that key, which must be there.
+OptionSpec const& spec_of(std::vector<OptionSpec> const& specs, std::string const& key);
 //! Keys of options and lists.
 std::vector<std::string> keys_of(std::vector<OptionSpec> const& specs);
 std::vector<std::string> keys_of(std::vector<ListSpec> const& specs);

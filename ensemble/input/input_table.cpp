@@ -1,6 +1,7 @@
 #include "ensemble/input/input_table.hpp"
 
 #include "ensemble/input/nearest.hpp"
+#include "ensemble/input/toml_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +34,13 @@ char const* type_name(toml::node const& node)
     }
 }
 
-//! The value as the author wrote it, or nothing when that is long.
+//! The value much as the author wrote it, or nothing when that is long.
 std::string text_of(toml::node const& node)
 {
+    if (node.is_string())
+        return quoted(*node.value<std::string>());
+    if (node.is_number())
+        return fmt::format("{}", *node.value<double>());
     std::ostringstream text;
     node.visit([&](auto const& value) { text << toml::toml_formatter(value); });
     auto const written = text.str();

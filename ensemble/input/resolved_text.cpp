@@ -2,35 +2,20 @@
 
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/section.hpp"
+#include "ensemble/input/toml_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <sstream>
 
 namespace demens::ensemble::input {
 namespace {
-
-std::string quoted(std::string const& text)
-{
-    std::ostringstream out;
-    out << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
-    return out.str();
-}
-
-//! The shortest text that reads back as the same number.
-std::string number(double value)
-{
-    auto text = fmt::format("{}", value);
-    if (text.find_first_of(".e") == std::string::npos)
-        text += ".0";
-    return text;
-}
 
 std::string text_of(OptionValue const& value)
 {
     struct
     {
-        std::string operator()(double v) const { return number(v); }
+        std::string operator()(double v) const { return number_text(v); }
         std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
         std::string operator()(bool v) const { return v ? "true" : "false"; }
         std::string operator()(std::string const& v) const { return quoted(v); }
@@ -98,10 +83,10 @@ void write_base(Writer& out, BaseInput const& base)
     }
     for (auto const& sizes : base.size_distributions) {
         out.heading("[size_distribution." + sizes.name + "]");
-        out.lists(
-            size_distribution_lists(),
-            {{sizes.classes ? "classes_mm" : "diameters_mm", list(sizes.diameters, number)},
-             {sizes.classes ? "mass_fraction" : "cumulative_mass_fraction", list(sizes.fractions, number)}});
+        out.lists(size_distribution_lists(),
+                  {{sizes.classes ? "classes_mm" : "diameters_mm", list(sizes.diameters, number_text)},
+                   {sizes.classes ? "mass_fraction" : "cumulative_mass_fraction",
+                    list(sizes.fractions, number_text)}});
     }
 }
 
@@ -140,25 +125,25 @@ void write_factor(Writer& out, Factor const& factor)
     values.set("scale", std::string(factor.log_scale ? "log" : "linear"));
     out.options(factor_options(), values);
     if (!factor.levels.empty())
-        out.lists(factor_lists(), {{"levels", list(factor.levels, number)}});
+        out.lists(factor_lists(), {{"levels", list(factor.levels, number_text)}});
 }
 
 void write_design(Writer& out, DesignOptions const& design)
 {
     out.heading("[design]");
-    // Keys of other kinds of design would be refused when read.
-    std::map<std::string, std::string> const owner = {{"axial_distance", "central_composite"},
-                                                      {"levels", "full_factorial"}};
-    std::vector<OptionSpec> specs;
-    for (auto const& spec : specs_of<DesignOptions>())
-        if (auto const found = owner.find(spec.key); found == owner.end() || found->second == design.kind)
-            specs.push_back(spec);
+    // Keys that this kind does not use would be refused when read.
+    auto const unused = [&](OptionSpec const& spec) {
+        auto const kinds = design_kinds_using(spec.key);
+        return !kinds.empty() && std::find(kinds.begin(), kinds.end(), design.kind) == kinds.end();
+    };
+    auto specs = specs_of<DesignOptions>();
+    std::erase_if(specs, unused);
     out.options(specs, values_of(design));
     std::map<std::string, std::string> lists;
     if (!design.generators.empty())
         lists["generators"] = list(design.generators, quoted);
     if (!design.table.empty())
-        lists["table"] = list(design.table, [](auto const& row) { return list(row, number); });
+        lists["table"] = list(design.table, [](auto const& row) { return list(row, number_text); });
     out.lists(design_lists(), lists);
 }
 

@@ -15,13 +15,16 @@ std::vector<Field<DesignOptions>> const& fields_of()
             &DesignOptions::points,
             {.key = "points", .doc = "number of design points; 0: as many as suit the factors", .lower = 0}),
         field(&DesignOptions::centre_repetitions,
-              {.key = "centre_repetitions", .doc = "extra points at the centre of the factors", .lower = 0}),
+              {.key = "centre_repetitions", .doc = "points at the centre of the factors", .lower = 0}),
         field(&DesignOptions::axial_distance,
               {.key = "axial_distance",
-               .doc = "central_composite: distance of the axial points in half ranges; 0: rotatable",
+               .doc = "distance of the axial points in half ranges; 0: rotatable, 1: on the faces",
                .lower = 0}),
         field(&DesignOptions::levels,
-              {.key = "levels", .doc = "full_factorial: levels of each factor", .lower = 2}),
+              {.key = "levels", .doc = "levels of each factor, or of its candidates", .lower = 2}),
+        field(&DesignOptions::model, {.key = "model",
+                                      .doc = "polynomial whose coefficients are to be found",
+                                      .choices = {"linear", "interaction", "quadratic"}}),
     };
     return fields;
 }

@@ -1,5 +1,7 @@
 #include "ensemble/input/whole_checks.hpp"
 
+#include "ensemble/input/input_options.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,15 +26,12 @@ std::string broken_constraint(CampaignInput const& input, Point const& point)
 
 void check_design(InputTable const& design, CampaignInput const& input)
 {
-    auto const belongs_to = [&](char const* key, char const* kind) {
-        if (design.has(key) && input.design.kind != kind)
-            throw design.error(key,
-                               fmt::format("belongs to kind = \"{}\", not \"{}\"", kind, input.design.kind));
-    };
-    belongs_to("table", "table");
-    belongs_to("generators", "fractional_factorial");
-    belongs_to("axial_distance", "central_composite");
-    belongs_to("levels", "full_factorial");
+    for (auto const& key : design.keys()) {
+        auto const kinds = design_kinds_using(key);
+        if (!kinds.empty() && std::find(kinds.begin(), kinds.end(), input.design.kind) == kinds.end())
+            throw design.error(key, fmt::format("is not used by kind = \"{}\", only by {}; leave it out",
+                                                input.design.kind, fmt::join(kinds, ", ")));
+    }
     if (input.design.kind == "table" && input.design.table.empty())
         throw design.error("kind",
                            "needs table = [[...], ...] with one row of factor values for each design point");
