@@ -1,0 +1,116 @@
+#include "tao_calib/calibrate.hpp"
+
+#include "tao_calib/solver/pounders.hpp"
+#include "tao_calib/wave/analysis.hpp"
+#include "tao_calib/wave/plan.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+
+namespace demens::tao_calib {
+namespace {
+
+using ensemble::NamedArray;
+using ensemble::Session;
+
+bool has_runs_left(ensemble::Campaign const& campaign)
+{
+    if (campaign.waves.empty())
+        return false;
+    auto const& runs = campaign.waves.back().runs;
+    return std::any_of(runs.begin(), runs.end(),
+                       [](auto const& run) { return run.status == rig::RunStatus::not_run; });
+}
+
+//! Decision and analysis of rank 0. Other ranks learn how it goes on and leave the rest to the session.
+struct Decision
+{
+    NextStep step;
+    std::vector<NamedArray> analysis;
+    std::string error; //!< what went wrong while deciding
+};
+
+Decision decide(ensemble::Campaign const& campaign, LeastSquaresSolver const& solver)
+{
+    Decision decision;
+    try {
+        Assessment const assessment(campaign, solver);
+        if (!campaign.waves.empty())
+            decision.analysis = analysis_arrays(campaign, assessment);
+        decision.step = plan_next_wave(campaign, assessment);
+    } catch (std::exception const& problem) {
+        decision.error = problem.what();
+    }
+    return decision;
+}
+
+void broadcast(std::string& text, MPI_Comm communicator)
+{
+    int size = static_cast<int>(text.size());
+    MPI_Bcast(&size, 1, MPI_INT, 0, communicator);
+    text.resize(static_cast<std::size_t>(size));
+    MPI_Bcast(text.data(), size, MPI_CHAR, 0, communicator);
+}
+
+void broadcast(NextStep& step, MPI_Comm communicator)
+{
+    int kind = static_cast<int>(step.kind);
+    MPI_Bcast(&kind, 1, MPI_INT, 0, communicator);
+    step.kind = static_cast<NextStep::Kind>(kind);
+    broadcast(step.purpose, communicator);
+    broadcast(step.reason, communicator);
+    int sizes[2] = {static_cast<int>(step.points.size()),
+                    step.points.empty() ? 0 : static_cast<int>(step.points.front().size())};
+    MPI_Bcast(sizes, 2, MPI_INT, 0, communicator);
+    step.points.resize(static_cast<std::size_t>(sizes[0]));
+    for (auto& point : step.points) {
+        point.resize(static_cast<std::size_t>(sizes[1]));
+        MPI_Bcast(point.data(), sizes[1], MPI_DOUBLE, 0, communicator);
+    }
+}
+
+} // namespace
+
+//! Decisions are made on rank 0 alone, since the last bits of mathematical functions may differ between
+//! machines, and all ranks must agree.
+CalibrationEnd calibrate(Session& session, MPI_Comm communicator,
+                         std::function<void(ensemble::Campaign const&)> const& on_wave)
+{
+    int rank = 0;
+    MPI_Comm_rank(communicator, &rank);
+    std::optional<PetscSession> petsc;
+    if (rank == 0)
+        petsc.emplace();
+    while (session.campaign().ended.empty()) {
+        if (has_runs_left(session.campaign()) && session.run_wave() == ensemble::WaveEnd::drained)
+            return CalibrationEnd::drained;
+        Decision decision;
+        if (rank == 0)
+            decision = decide(session.campaign(), Pounders(*petsc));
+        broadcast(decision.error, communicator);
+        if (!decision.error.empty())
+            throw std::runtime_error("the calibration cannot go on: " + decision.error);
+        broadcast(decision.step, communicator);
+        // A campaign killed between its analysis and the next plan has the analysis already.
+        if (!session.campaign().waves.empty() && session.campaign().waves.back().analysis.empty()) {
+            session.store_analysis(decision.analysis);
+            if (on_wave)
+                on_wave(session.campaign());
+        }
+        switch (decision.step.kind) {
+        case NextStep::Kind::simulate:
+            session.plan_wave(decision.step.purpose, decision.step.points);
+            break;
+        case NextStep::Kind::finish:
+            session.end(decision.step.reason);
+            break;
+        case NextStep::Kind::give_up:
+            session.end(decision.step.reason);
+            return CalibrationEnd::failed;
+        }
+    }
+    return CalibrationEnd::finished;
+}
+
+} // namespace demens::tao_calib

@@ -42,9 +42,15 @@ double Objective::mean_square_residual(VectorXd const& responses) const
     return residuals(responses).squaredNorm() / size();
 }
 
-double Objective::wmse_from(double sum_of_squares) const { return sum_of_squares / (size() * weight_sum_); }
+double Objective::wmse_from(double sum_of_squares) const
+{
+    return sum_of_squares / (size() * weight_sum_);
+}
 
-double Objective::wmse(VectorXd const& responses) const { return wmse_from(residuals(responses).squaredNorm()); }
+double Objective::wmse(VectorXd const& responses) const
+{
+    return wmse_from(residuals(responses).squaredNorm());
+}
 
 bool Objective::within_tolerance(VectorXd const& responses) const
 {

@@ -31,8 +31,9 @@ class Objective
     Eigen::VectorXd residuals(Eigen::VectorXd const& responses) const;
     //! 1/m of the sum of squared residuals.
     double mean_square_residual(Eigen::VectorXd const& responses) const;
-    //! Weighted mean square error of the Draw Down Test (Moncada et al. 2023, Minerals 13, 40, eq. 7) over all targets of
-    //! all experiments in one sum: 1/m sum_i w_i (response_i - target_i)^2, w_i = (1/scale_i^2)/sum_j (1/scale_j^2).
+    //! Weighted mean square error of the Draw Down Test (Moncada et al. 2023, Minerals 13, 40, eq. 7) over
+    //! all targets of all experiments in one sum: 1/m sum_i w_i (response_i - target_i)^2, w_i =
+    //! (1/scale_i^2)/sum_j (1/scale_j^2).
     double wmse(Eigen::VectorXd const& responses) const;
     //! The same from the sum of squared residuals.
     double wmse_from(double sum_of_squares) const;

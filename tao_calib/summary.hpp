@@ -6,8 +6,8 @@
 
 namespace demens::tao_calib {
 
-//! Plain text for the end of a run: best point with intervals and verdicts, targets against simulated values, run
-//! counts, why it ended. Reads what was stored with the last analysed wave; calculates nothing.
+//! Plain text for the end of a run: best point with intervals and verdicts, targets against simulated values,
+//! run counts, why it ended. Reads what was stored with the last analysed wave; calculates nothing.
 std::string summary(ensemble::Campaign const& campaign);
 
 } // namespace demens::tao_calib

@@ -27,7 +27,8 @@ double to_value(Factor const& factor, double unit)
     return std::clamp(value, factor.lower, factor.upper);
 }
 
-//! Shares of the ranges, linear in the factors also where their scale is logarithmic: constraints are straight here.
+//! Shares of the ranges, linear in the factors also where their scale is logarithmic: constraints are
+//! straight here.
 VectorXd to_shares(std::vector<Factor> const& factors, VectorXd const& values)
 {
     VectorXd shares(values.size());
@@ -40,8 +41,8 @@ VectorXd from_shares(std::vector<Factor> const& factors, VectorXd const& shares)
 {
     VectorXd values(shares.size());
     for (Eigen::Index k = 0; k < shares.size(); ++k)
-        values[k] = std::clamp((1 - shares[k]) * factors[k].lower + shares[k] * factors[k].upper, factors[k].lower,
-                               factors[k].upper);
+        values[k] = std::clamp((1 - shares[k]) * factors[k].lower + shares[k] * factors[k].upper,
+                               factors[k].lower, factors[k].upper);
     return values;
 }
 
@@ -75,8 +76,9 @@ VectorXd nearest(VectorXd point, std::vector<HalfSpace> const& halves)
                 point = shifted.cwiseMax(0).cwiseMin(1);
             else {
                 double const excess = halves[s].normal.dot(shifted) - halves[s].bound;
-                point = excess > 0 ? VectorXd(shifted - halves[s].normal * (excess / halves[s].normal.squaredNorm()))
-                                   : shifted;
+                point = excess > 0
+                            ? VectorXd(shifted - halves[s].normal * (excess / halves[s].normal.squaredNorm()))
+                            : shifted;
             }
             corrections[s] = shifted - point;
         }
@@ -138,7 +140,8 @@ VectorXd UnitCube::project(VectorXd const& unit) const
     for (auto const& constraint : constraints_)
         halves.push_back(in_shares(factors_, constraint));
     VectorXd const shares = nearest(to_shares(factors_, to_values(clamped)), halves);
-    // The nearest point is on the edge but for rounding: the smallest step inwards that the exact check accepts.
+    // The nearest point is on the edge but for rounding: the smallest step inwards that the exact check
+    // accepts.
     VectorXd inwards = to_unit(from_shares(factors_, shares));
     for (double step = 1e-16; step < 1 && !feasible(to_values(inwards)); step *= 4)
         inwards = to_unit(from_shares(factors_, shares + step * (inside_ - shares)));

@@ -8,8 +8,8 @@
 
 namespace demens::tao_calib {
 
-//! Factors seen by surrogates and solvers: each between 0 (lower bound) and 1 (upper bound), evenly in the factor or
-//! in its logarithm, and the part of that cube in which the linear constraints hold.
+//! Factors seen by surrogates and solvers: each between 0 (lower bound) and 1 (upper bound), evenly in the
+//! factor or in its logarithm, and the part of that cube in which the linear constraints hold.
 class UnitCube
 {
   public:
@@ -23,13 +23,14 @@ class UnitCube
     Eigen::VectorXd to_unit(Eigen::VectorXd const& values) const;
     //! Values in own units, exactly within their bounds; discrete factors as if they were continuous.
     Eigen::VectorXd to_values(Eigen::VectorXd const& unit) const;
-    //! The nearest point that can be simulated, in own units: within bounds and constraints exactly, discrete factors
-    //! on their levels.
+    //! The nearest point that can be simulated, in own units: within bounds and constraints exactly, discrete
+    //! factors on their levels.
     std::vector<double> to_design_point(Eigen::VectorXd const& unit) const;
 
     //! Whether values (own units) are within all bounds and constraints, without any tolerance.
     bool feasible(Eigen::VectorXd const& values) const;
-    //! The nearest point of the cube whose values are feasible, distances being measured in shares of the ranges.
+    //! The nearest point of the cube whose values are feasible, distances being measured in shares of the
+    //! ranges.
     Eigen::VectorXd project(Eigen::VectorXd const& unit) const;
     //! A point of the cube, uniform over its feasible part.
     Eigen::VectorXd sample(RandomStream& random) const;

@@ -13,7 +13,8 @@ LeastSquaresProblem widened(LeastSquaresProblem const& problem, UnitCube const& 
 {
     if (!cube.constrained())
         return problem;
-    return {problem.factors, problem.residuals + problem.factors, [&problem, &cube, distance_weight](VectorXd const& x) {
+    return {problem.factors, problem.residuals + problem.factors,
+            [&problem, &cube, distance_weight](VectorXd const& x) {
                 VectorXd const feasible = cube.project(x);
                 VectorXd residuals(problem.residuals + problem.factors);
                 residuals << problem.evaluate(feasible), distance_weight * (x - feasible);
@@ -31,9 +32,9 @@ double distance_to(std::vector<VectorXd> const& points, VectorXd const& point)
 
 } // namespace
 
-std::vector<LocalMinimum> distinct_minima(LeastSquaresSolver const& solver, LeastSquaresProblem const& problem,
-                                          UnitCube const& cube, std::vector<VectorXd> const& starts,
-                                          double separation)
+std::vector<LocalMinimum> distinct_minima(LeastSquaresSolver const& solver,
+                                          LeastSquaresProblem const& problem, UnitCube const& cube,
+                                          std::vector<VectorXd> const& starts, double separation)
 {
     std::vector<LocalMinimum> all;
     for (auto const& start : starts) {
@@ -57,7 +58,8 @@ std::vector<LocalMinimum> distinct_minima(LeastSquaresSolver const& solver, Leas
     return distinct;
 }
 
-std::vector<VectorXd> spread_points(UnitCube const& cube, int count, std::vector<VectorXd> taken, std::uint64_t seed)
+std::vector<VectorXd> spread_points(UnitCube const& cube, int count, std::vector<VectorXd> taken,
+                                    std::uint64_t seed)
 {
     constexpr int candidates = 200;
     RandomStream random(seed);

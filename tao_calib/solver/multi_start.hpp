@@ -14,15 +14,15 @@ struct LocalMinimum
     double sum_of_squares;
 };
 
-//! Solves from every start within the feasible part of the cube and returns the minima that lie further apart than
-//! `separation`, best first. Linear constraints enter by projection: at x the residuals are those of the nearest
-//! feasible point, followed by its distance from x, so that a minimum is feasible and exact.
-std::vector<LocalMinimum> distinct_minima(LeastSquaresSolver const& solver, LeastSquaresProblem const& problem,
-                                          UnitCube const& cube, std::vector<Eigen::VectorXd> const& starts,
-                                          double separation);
+//! Solves from every start within the feasible part of the cube and returns the minima that lie further apart
+//! than `separation`, best first. Linear constraints enter by projection: at x the residuals are those of the
+//! nearest feasible point, followed by its distance from x, so that a minimum is feasible and exact.
+std::vector<LocalMinimum> distinct_minima(LeastSquaresSolver const& solver,
+                                          LeastSquaresProblem const& problem, UnitCube const& cube,
+                                          std::vector<Eigen::VectorXd> const& starts, double separation);
 
 //! `count` feasible points spread over the cube, each far from the others and from `taken`.
-std::vector<Eigen::VectorXd> spread_points(UnitCube const& cube, int count, std::vector<Eigen::VectorXd> taken,
-                                           std::uint64_t seed);
+std::vector<Eigen::VectorXd> spread_points(UnitCube const& cube, int count,
+                                           std::vector<Eigen::VectorXd> taken, std::uint64_t seed);
 
 } // namespace demens::tao_calib

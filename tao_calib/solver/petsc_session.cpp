@@ -13,7 +13,8 @@ PetscSession::PetscSession()
     if (!ready)
         throw std::runtime_error("PETSc is started before MPI: call MPI_Init_thread first");
     PETSC_COMM_WORLD = MPI_COMM_SELF;
-    // No files of the user and no handlers of PETSc: they would change results and hide the program's own signals.
+    // No files of the user and no handlers of PETSc: they would change results and hide the program's own
+    // signals.
     char program[] = "demens", no_signals[] = "-no_signal_handler", no_file[] = "-skip_petscrc";
     char* words[] = {program, no_signals, no_file, nullptr};
     char** arguments = words;

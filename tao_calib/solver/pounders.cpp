@@ -33,13 +33,16 @@ struct Handles
     PetscOptions options = nullptr;
 };
 
-//! POUNDERS needs room for its first step, x + radius, below the upper bound. Coordinates that start in the upper half
-//! are therefore mirrored, which leaves room of half the cube everywhere.
+//! POUNDERS needs room for its first step, x + radius, below the upper bound. Coordinates that start in the
+//! upper half are therefore mirrored, which leaves room of half the cube everywhere.
 class Mirror
 {
   public:
     explicit Mirror(VectorXd const& start) : mirrored_(start.array() > 0.5) {}
-    VectorXd operator()(VectorXd const& point) const { return mirrored_.select(1 - point.array(), point.array()); }
+    VectorXd operator()(VectorXd const& point) const
+    {
+        return mirrored_.select(1 - point.array(), point.array());
+    }
 
   private:
     Eigen::Array<bool, Eigen::Dynamic, 1> mirrored_;
@@ -111,7 +114,8 @@ PetscErrorCode solve(Context& context, VectorXd const& start, LeastSquaresSettin
 
     PetscCall(TaoCreate(PETSC_COMM_SELF, &h.tao));
     PetscCall(TaoSetType(h.tao, TAOPOUNDERS));
-    // The trust radius has no function of its own; a database of this solver alone leaves the global one untouched.
+    // The trust radius has no function of its own; a database of this solver alone leaves the global one
+    // untouched.
     PetscCall(PetscOptionsCreate(&h.options));
     auto const radius = fmt::format("{:.17g}", std::clamp(settings.trust_radius, 1e-6, 0.5));
     PetscCall(PetscOptionsSetValue(h.options, "-tao_pounders_delta", radius.c_str()));
@@ -161,7 +165,8 @@ LeastSquaresResult Pounders::minimise(LeastSquaresProblem const& problem, Vector
     if (code != 0 && context.best.point.size() == 0) {
         char const* text = nullptr;
         (void)PetscErrorMessage(code, &text, nullptr);
-        throw std::runtime_error(fmt::format("TAO POUNDERS failed before its first evaluation: {}", text ? text : ""));
+        throw std::runtime_error(
+            fmt::format("TAO POUNDERS failed before its first evaluation: {}", text ? text : ""));
     }
     // An error later on, e.g. a singular model of flat residuals, still leaves the best point found so far.
     context.best.converged = code == 0 && reason > 0;

@@ -35,7 +35,8 @@ MatrixXd weighted_basis(SurrogateKind kind, Samples const& samples)
 {
     MatrixXd rows(samples.points.rows(), Polynomial::terms(kind, static_cast<int>(samples.points.cols())));
     for (Eigen::Index i = 0; i < rows.rows(); ++i)
-        rows.row(i) = std::sqrt(samples.weights[i]) * basis(kind, samples.points.row(i).transpose()).transpose();
+        rows.row(i) =
+            std::sqrt(samples.weights[i]) * basis(kind, samples.points.row(i).transpose()).transpose();
     return rows;
 }
 
@@ -101,7 +102,10 @@ Polynomial::Polynomial(SurrogateKind kind, Samples const& samples) : kind_(kind)
     error_ = leave_one_out_rmse(*this, samples);
 }
 
-double Polynomial::value(VectorXd const& point) const { return basis(kind_, point).dot(coefficients_); }
+double Polynomial::value(VectorXd const& point) const
+{
+    return basis(kind_, point).dot(coefficients_);
+}
 
 VectorXd Polynomial::gradient(VectorXd const& point) const
 {

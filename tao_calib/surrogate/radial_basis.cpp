@@ -12,7 +12,10 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-double cubic(double distance) { return distance * distance * distance; }
+double cubic(double distance)
+{
+    return distance * distance * distance;
+}
 
 MatrixXd tail_rows(MatrixXd const& points)
 {
@@ -23,13 +26,14 @@ MatrixXd tail_rows(MatrixXd const& points)
 
 } // namespace
 
-//! The smoothing system (Phi + smoothing W^-1) c + P d = y, P'c = 0, made ready for any smoothing: with S = W^(1/2) and
-//! an orthonormal basis Q of the complement of S P, the symmetric matrix Q' S Phi S Q is positive definite (the cubic is
-//! conditionally positive definite of order two) and is diagonalised once.
+//! The smoothing system (Phi + smoothing W^-1) c + P d = y, P'c = 0, made ready for any smoothing: with S =
+//! W^(1/2) and an orthonormal basis Q of the complement of S P, the symmetric matrix Q' S Phi S Q is positive
+//! definite (the cubic is conditionally positive definite of order two) and is diagonalised once.
 struct RadialBasis::System
 {
     explicit System(Samples const& samples)
-        : scale(samples.weights.cwiseSqrt()), tail(scale.asDiagonal() * tail_rows(samples.points)), tail_qr(tail)
+        : scale(samples.weights.cwiseSqrt()), tail(scale.asDiagonal() * tail_rows(samples.points)),
+          tail_qr(tail)
     {
         Eigen::Index const n = samples.points.rows(), q = tail.cols();
         kernel.resize(n, n);

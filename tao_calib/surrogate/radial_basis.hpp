@@ -4,9 +4,9 @@
 
 namespace demens::tao_calib {
 
-//! Cubic radial basis functions with a linear tail: s(x) = sum_i c_i |x - x_i|^3 + d_0 + d'x with sum_i c_i = 0 and
-//! sum_i c_i x_i = 0. In one dimension the natural cubic spline. Smoothed like a smoothing spline, since simulated
-//! packings scatter; the smoothing is chosen by leave-one-out.
+//! Cubic radial basis functions with a linear tail: s(x) = sum_i c_i |x - x_i|^3 + d_0 + d'x with sum_i c_i =
+//! 0 and sum_i c_i x_i = 0. In one dimension the natural cubic spline. Smoothed like a smoothing spline,
+//! since simulated packings scatter; the smoothing is chosen by leave-one-out.
 class RadialBasis : public Surrogate
 {
   public:

@@ -29,11 +29,15 @@ char const* name_of(SurrogateKind kind)
     return "";
 }
 
-double Surrogate::smoothing() const { return std::numeric_limits<double>::quiet_NaN(); }
+double Surrogate::smoothing() const
+{
+    return std::numeric_limits<double>::quiet_NaN();
+}
 
 double leave_one_out_rmse(Surrogate const& surrogate, Samples const& samples)
 {
-    return std::sqrt(samples.weights.dot(surrogate.leave_one_out_errors().cwiseAbs2()) / samples.weights.sum());
+    return std::sqrt(samples.weights.dot(surrogate.leave_one_out_errors().cwiseAbs2()) /
+                     samples.weights.sum());
 }
 
 std::unique_ptr<Surrogate> fit_surrogate(std::string const& kind, Samples const& samples)
@@ -45,7 +49,8 @@ std::unique_ptr<Surrogate> fit_surrogate(std::string const& kind, Samples const&
             return std::make_unique<RadialBasis>(samples);
         return Polynomial::best_up_to(SurrogateKind::linear, samples);
     }
-    throw InputError(fmt::format("[surrogate] kind = \"{}\" is not known; known are quadratic and rbf", kind));
+    throw InputError(
+        fmt::format("[surrogate] kind = \"{}\" is not known; known are quadratic and rbf", kind));
 }
 
 } // namespace demens::tao_calib

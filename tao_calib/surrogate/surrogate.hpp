@@ -15,7 +15,8 @@ struct Samples
 };
 
 //! Kinds by their number in the campaign file.
-enum class SurrogateKind {
+enum class SurrogateKind
+{
     constant = 0,
     linear = 1,
     linear_and_squares = 2,

@@ -10,19 +10,35 @@ using Eigen::VectorXd;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+CampaignTarget target(std::string const& name, int index, double value, double scale, double sd,
+                      double tolerance)
+{
+    CampaignTarget result;
+    result.name = name;
+    result.target.response = name;
+    result.target.response_index = index;
+    result.target.value = value;
+    result.target.scale = scale;
+    result.target.sd = sd;
+    result.target.tolerance = tolerance;
+    return result;
+}
+
 //! Quartz in the Draw Down Test (Moncada et al. 2023): measured values and scales.
 Objective quartz(double tolerance = none)
 {
     std::vector<CampaignTarget> targets;
     double const values[] = {26.25, 42.03, 4.83, 7.09}, scales[] = {2.0, 2.0, 0.3, 0.5};
+    char const* const names[] = {"angle_of_repose_deg", "shear_angle_deg", "mass_flow_kg_s", "final_mass_kg"};
     for (int t = 0; t < 4; ++t)
-        targets.push_back({0, {"r" + std::to_string(t), t, values[t], scales[t], none, tolerance * scales[t]}, "", ""});
+        targets.push_back(target(names[t], t, values[t], scales[t], none, tolerance * scales[t]));
     return Objective(targets);
 }
 
 TEST(Objective, GivesTheWeightedErrorsOfTheDrawDownPaper)
 {
-    // Table 7 prints .0258 for four polyhedra and .0911 for spheres; from its rounded responses .0257 and .0897.
+    // Table 7 prints .0258 for four polyhedra and .0911 for spheres; from its rounded responses .0257 and
+    // .0897.
     EXPECT_NEAR(quartz().wmse(VectorXd{{28.39, 43.01, 4.97, 7.11}}), 0.0257, 5e-5);
     EXPECT_NEAR(quartz().wmse(VectorXd{{27.98, 44.66, 5.30, 7.50}}), 0.0897, 5e-5);
 }
@@ -46,8 +62,8 @@ TEST(Objective, IsWithinToleranceOnlyWhereOneIsGiven)
 
 TEST(Objective, TakesTheScaleWhereNoMeasurementErrorIsGiven)
 {
-    std::vector<CampaignTarget> const targets{{0, {"a", 0, 1, 2.0, 0.8, none}, "", ""}, {0, {"b", 1, 1, 0.3, none, none}, "", ""}};
-    EXPECT_EQ(Objective(targets).measurement_sd(), (VectorXd{{0.8, 0.3}}));
+    Objective const objective({target("a", 0, 1, 2.0, 0.8, none), target("b", 1, 1, 0.3, none, none)});
+    EXPECT_EQ(objective.measurement_sd(), (VectorXd{{0.8, 0.3}}));
 }
 
 } // namespace

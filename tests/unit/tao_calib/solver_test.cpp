@@ -12,26 +12,29 @@ namespace {
 
 using Eigen::VectorXd;
 
-Pounders pounders() { return Pounders(*PetscEnvironment::session()); }
+Pounders pounders()
+{
+    return Pounders(*PetscEnvironment::session());
+}
 
 //! Rosenbrock's residuals shifted by a target of 1.3: r = (10 (y - x^2), 1.3 - x).
 LeastSquaresProblem rosenbrock()
 {
-    return {2, 2, [](VectorXd const& x) {
-                return VectorXd{{10 * (x[1] - x[0] * x[0]), 1.3 - x[0]}};
-            }};
+    return {2, 2, [](VectorXd const& x) { return VectorXd{{10 * (x[1] - x[0] * x[0]), 1.3 - x[0]}}; }};
 }
 
 TEST(Pounders, FitsChwirut1)
 {
-    // NIST StRD "Chwirut1": y = exp(-b1 x)/(b2 + b3 x), certified values and sum of squares, from NIST's first start.
+    // NIST StRD "Chwirut1": y = exp(-b1 x)/(b2 + b3 x), certified values and sum of squares, from NIST's
+    // first start.
     VectorXd const upper{{1.0, 0.05, 0.05}};
     LeastSquaresProblem const problem{3, 214, [&](VectorXd const& unit) {
                                           VectorXd const b = unit.cwiseProduct(upper);
                                           VectorXd residuals(214);
                                           for (int i = 0; i < 214; ++i)
-                                              residuals[i] = chwirut1::y[i] - std::exp(-b[0] * chwirut1::x[i]) /
-                                                                                  (b[1] + b[2] * chwirut1::x[i]);
+                                              residuals[i] =
+                                                  chwirut1::y[i] - std::exp(-b[0] * chwirut1::x[i]) /
+                                                                       (b[1] + b[2] * chwirut1::x[i]);
                                           return residuals;
                                       }};
     auto const result = pounders().minimise(problem, VectorXd{{0.1, 0.01, 0.02}}.cwiseQuotient(upper), {});
@@ -89,7 +92,8 @@ TEST(Pounders, EndsAtItsBudgetWithTheBestPoint)
 
 TEST(Pounders, PassesExceptionsOfTheProblemOn)
 {
-    LeastSquaresProblem const problem{1, 1, [](VectorXd const&) -> VectorXd { throw std::out_of_range("lost"); }};
+    LeastSquaresProblem const problem{1, 1,
+                                      [](VectorXd const&) -> VectorXd { throw std::out_of_range("lost"); }};
     EXPECT_THROW((void)pounders().minimise(problem, VectorXd{{0.5}}, {}), std::out_of_range);
     // ... and works again afterwards.
     EXPECT_NEAR(pounders().minimise(rosenbrock(), VectorXd{{0.5, 0.5}}, {}).sum_of_squares, 0.09, 1e-6);
@@ -112,7 +116,9 @@ TEST(DistinctMinima, MeetsALinearConstraintExactly)
 {
     // Nearest point to (0.2, 0.9) with b <= a: (0.55, 0.55), at a squared distance of 0.245.
     UnitCube const cube(two_factors(), {{"b <= a", {-1, 1}, 0}});
-    LeastSquaresProblem const problem{2, 2, [](VectorXd const& x) { return VectorXd{{x[0] - 0.2, x[1] - 0.9}}; }};
+    LeastSquaresProblem const problem{2, 2, [](VectorXd const& x) {
+                                          return VectorXd{{x[0] - 0.2, x[1] - 0.9}};
+                                      }};
     auto const minima = distinct_minima(pounders(), problem, cube, spread_points(cube, 5, {}, 1), 0.05);
     ASSERT_EQ(minima.size(), 1u);
     EXPECT_NEAR(minima[0].sum_of_squares, 0.245, 1e-7);

@@ -23,12 +23,15 @@ Samples sampled(int n, int k, std::function<double(VectorXd const&)> const& f, s
     return samples;
 }
 
-double wavy(VectorXd const& x) { return std::sin(3 * x[0]) + x[0] * x[1] * x[1] - std::exp(0.5 * x[2]); }
+double wavy(VectorXd const& x)
+{
+    return std::sin(3 * x[0]) + x[0] * x[1] * x[1] - std::exp(0.5 * x[2]);
+}
 
 Samples without(Samples const& samples, int left_out)
 {
-    Samples rest{MatrixXd(samples.points.rows() - 1, samples.points.cols()), VectorXd(samples.values.size() - 1),
-                 VectorXd(samples.values.size() - 1)};
+    Samples rest{MatrixXd(samples.points.rows() - 1, samples.points.cols()),
+                 VectorXd(samples.values.size() - 1), VectorXd(samples.values.size() - 1)};
     for (int i = 0, next = 0; i < samples.values.size(); ++i) {
         if (i == left_out)
             continue;
@@ -76,8 +79,8 @@ TEST(Polynomial, ReproducesALongleyFit)
         115.7, 518173, 4806, 2572, 127852, 1961, //
         116.9, 554894, 4007, 2827, 130081, 1962;
     VectorXd y(16);
-    y << 60323, 61122, 60171, 61187, 63221, 63639, 64989, 63761, 66019, 67857, 68169, 66513, 68655, 69564, 69331,
-        70551;
+    y << 60323, 61122, 60171, 61187, 63221, 63639, 64989, 63761, 66019, 67857, 68169, 66513, 68655, 69564,
+        69331, 70551;
     VectorXd const lower = x.colwise().minCoeff(), range = x.colwise().maxCoeff().transpose() - lower;
     MatrixXd const unit = (x.rowwise() - lower.transpose()).array().rowwise() / range.transpose().array();
     Polynomial const fit(SurrogateKind::linear, {unit, y, VectorXd::Ones(16)});
@@ -172,11 +175,13 @@ TEST(RadialBasis, LeaveOneOutErrorsAreThoseOfFitsWithoutThePoint)
 
 TEST(RadialBasis, ALocationThatWasRunTwiceCountsAsTwoAtTheSamePlace)
 {
-    // Two runs of 1.0 and 3.0 at one place pull a smoothed fit like two separate samples in almost the same place.
+    // Two runs of 1.0 and 3.0 at one place pull a smoothed fit like two separate samples in almost the same
+    // place.
     auto merged = sampled(8, 2, [](VectorXd const& x) { return x[0] * x[0]; });
     auto split = merged;
     merged.values[0] = 2, merged.weights[0] = 2;
-    split.points.conservativeResize(9, 2), split.values.conservativeResize(9), split.weights.conservativeResize(9);
+    split.points.conservativeResize(9, 2), split.values.conservativeResize(9),
+        split.weights.conservativeResize(9);
     split.points.row(8) = split.points.row(0), split.weights[8] = 1;
     split.points(8, 0) += 1e-7;
     split.values[0] = 1, split.values[8] = 3;
@@ -186,8 +191,8 @@ TEST(RadialBasis, ALocationThatWasRunTwiceCountsAsTwoAtTheSamePlace)
 
 TEST(RadialBasis, SmoothsNoiseAwayAndStatesHowWellItDoes)
 {
-    // A quarter wave with noise of 0.1: the prediction must be nearer to the truth than the data, and the stated
-    // deviation must be of the size of the error made.
+    // A quarter wave with noise of 0.1: the prediction must be nearer to the truth than the data, and the
+    // stated deviation must be of the size of the error made.
     auto const truth = [](VectorXd const& x) { return std::sin(1.5 * x[0]) + x[1]; };
     auto samples = sampled(60, 2, truth);
     RandomStream random(3);

@@ -1,0 +1,57 @@
+#include "tao_calib/wave/assessment.hpp"
+
+#include <algorithm>
+
+namespace demens::tao_calib {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr std::uint64_t starts_stream = 0x737461727473; // "starts"
+constexpr std::size_t starts_at_locations = 3;          // of the best simulated locations
+constexpr double distinct_separation = 0.05;            // between minima, in shares of the ranges
+
+} // namespace
+
+Assessment::Assessment(ensemble::Campaign const& campaign, LeastSquaresSolver const& solver)
+    : objective_(campaign.input), cube_(campaign.input.factors, campaign.input.constraints),
+      locations_(objective_, cube_, campaign)
+{
+    if (locations_.complete() < locations_needed(cube_.size()))
+        return;
+    for (int t = 0; t < objective_.size(); ++t) {
+        samples_.push_back(locations_.samples(t));
+        surrogates_.push_back(fit_surrogate(campaign.input.surrogate.kind, samples_.back()));
+    }
+
+    auto const ranked = locations_.ranked();
+    std::vector<VectorXd> starts;
+    for (std::size_t i = 0; i < std::min(ranked.size(), starts_at_locations); ++i)
+        starts.push_back(ranked[i]->unit);
+    auto const seed = derive_seed(derive_seed(campaign.input.seed, starts_stream), campaign.waves.size());
+    auto const spread = spread_points(
+        cube_, std::max(1, campaign.input.solver.starts - static_cast<int>(starts.size())), starts, seed);
+    starts.insert(starts.end(), spread.begin(), spread.end());
+    LeastSquaresProblem const problem{cube_.size(), objective_.size(), [this](VectorXd const& unit) {
+                                          return objective_.residuals(predict(unit));
+                                      }};
+    minima_ = distinct_minima(solver, problem, cube_, starts, distinct_separation);
+}
+
+VectorXd Assessment::predict(VectorXd const& unit) const
+{
+    VectorXd responses(objective_.size());
+    for (int t = 0; t < objective_.size(); ++t)
+        responses[t] = surrogates_[t]->value(unit);
+    return responses;
+}
+
+VectorXd Assessment::prediction_sd(VectorXd const& unit) const
+{
+    VectorXd deviations(objective_.size());
+    for (int t = 0; t < objective_.size(); ++t)
+        deviations[t] = surrogates_[t]->standard_deviation(unit);
+    return deviations;
+}
+
+} // namespace demens::tao_calib

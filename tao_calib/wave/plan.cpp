@@ -1,0 +1,213 @@
+#include "tao_calib/wave/plan.hpp"
+
+#include "tao_calib/design/design.hpp"
+#include "tao_calib/wave/search.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <optional>
+
+namespace demens::tao_calib {
+namespace {
+
+using ensemble::Campaign;
+
+constexpr std::uint64_t search_stream = 0x736561726368; // "search"
+constexpr int most_design_waves = 3;
+constexpr int most_confirmations_in_a_row = 3;
+
+int waves_of(Campaign const& campaign, std::string const& purpose)
+{
+    return static_cast<int>(std::count_if(campaign.waves.begin(), campaign.waves.end(),
+                                          [&](auto const& wave) { return wave.purpose == purpose; }));
+}
+
+int confirmations_in_a_row(Campaign const& campaign)
+{
+    int count = 0;
+    for (auto wave = campaign.waves.rbegin();
+         wave != campaign.waves.rend() && wave->purpose == "confirmation"; ++wave)
+        ++count;
+    return count;
+}
+
+//! What the stop options still allow.
+struct Budget
+{
+    explicit Budget(Campaign const& campaign)
+    {
+        int per_point = 0, runs = 0;
+        for (auto const& experiment : campaign.input.experiments)
+            per_point += experiment.replicates;
+        double wall_time = 0;
+        for (auto const& wave : campaign.waves) {
+            runs += static_cast<int>(wave.runs.size());
+            wall_time += wave.wall_time;
+        }
+        auto const& stop = campaign.input.stop;
+        points = std::max(0, stop.runs - runs) / std::max(1, per_point);
+        time_is_up = stop.wall_time_s > 0 && wall_time >= stop.wall_time_s;
+    }
+    int points;      //!< design points, all experiments and replicates each
+    bool time_is_up; //!< of the wall time
+};
+
+//! Design points kept back for the confirmation, once for the best location and once for the one that may
+//! follow it.
+int reserve(Campaign const& campaign)
+{
+    return 2 * campaign.input.stop.confirmation;
+}
+
+std::uint64_t wave_seed(Campaign const& campaign)
+{
+    return derive_seed(derive_seed(campaign.input.seed, search_stream), campaign.waves.size());
+}
+
+NextStep wave(std::string purpose, std::vector<std::vector<double>> points)
+{
+    return {NextStep::Kind::simulate, std::move(purpose), std::move(points), {}};
+}
+
+int batch_size(Campaign const& campaign)
+{
+    int const asked = campaign.input.solver.batch;
+    return asked > 0 ? asked : std::max(4, 2 * static_cast<int>(campaign.input.factors.size()));
+}
+
+NextStep first_wave(Campaign const& campaign, Budget const& budget)
+{
+    auto const& input = campaign.input;
+    auto const design = make_design(input.design, input.factors, input.constraints, input.seed);
+    std::vector<std::vector<double>> points;
+    for (Eigen::Index i = 0; i < std::min<Eigen::Index>(design.rows(), budget.points); ++i) {
+        Eigen::VectorXd const row = design.row(i);
+        points.emplace_back(row.begin(), row.end());
+    }
+    if (points.empty())
+        return {NextStep::Kind::give_up,
+                {},
+                {},
+                fmt::format("stop.runs = {} does not allow a single design point", input.stop.runs)};
+    return wave("design", points);
+}
+
+std::string first_failure(Campaign const& campaign)
+{
+    for (auto const& wave : campaign.waves)
+        for (auto const& run : wave.runs)
+            if (run.status != rig::RunStatus::finished)
+                return fmt::format("run {}: {}{}{}", run.run, rig::name_of(run.status),
+                                   run.reason.empty() ? "" : ", ", run.reason);
+    return "every run finished, but without a value for every target";
+}
+
+//! More points where too few runs finished to fit anything.
+NextStep more_design(Campaign const& campaign, Assessment const& assessment, Budget const& budget)
+{
+    auto const& locations = assessment.locations();
+    int const needed = Assessment::locations_needed(assessment.cube().size());
+    auto give_up = [&](std::string const& why) {
+        return NextStep{
+            NextStep::Kind::give_up,
+            {},
+            {},
+            fmt::format("{} of {} design points have a value for every target, {} are needed to fit "
+                        "anything, and {}; the first failure is {}",
+                        locations.complete(), locations.all().size(), needed, why, first_failure(campaign))};
+    };
+    if (locations.finished_runs() == 0)
+        return give_up("no run has finished at all");
+    if (waves_of(campaign, "design") >= most_design_waves)
+        return give_up("further points did not help");
+    int const missing = needed - locations.complete();
+    int const count = std::min(std::max(batch_size(campaign), 2 * missing), budget.points);
+    auto points = filling_points(assessment, count, wave_seed(campaign));
+    if (points.empty() || budget.time_is_up)
+        return give_up("the budget is spent");
+    return wave("design", std::move(points));
+}
+
+//! Search waves since the best location was first simulated.
+int waves_without_improvement(Campaign const& campaign, Location const& best)
+{
+    return static_cast<int>(
+        std::count_if(campaign.waves.begin(), campaign.waves.end(), [&](auto const& wave) {
+            return wave.purpose == "search" && wave.number > best.first_wave;
+        }));
+}
+
+//! Why the fit is good enough, if it is.
+std::optional<std::string> goal_reached(Campaign const& campaign, Assessment const& assessment,
+                                        Location const& best)
+{
+    auto const& stop = campaign.input.stop;
+    double const wmse = assessment.objective().wmse(best.responses);
+    if (stop.wmse > 0 && wmse <= stop.wmse)
+        return fmt::format("the weighted mean square error {:.4g} is at most {:.4g} (stop.wmse)", wmse,
+                           stop.wmse);
+    if (stop.within_tolerance && assessment.objective().within_tolerance(best.responses))
+        return "every target with a tolerance is met within it";
+    return std::nullopt;
+}
+
+//! Why the search cannot or need not go on, if so. Keeps points for the confirmation.
+std::optional<std::string> search_exhausted(Campaign const& campaign, Location const& best,
+                                            Budget const& budget)
+{
+    auto const& stop = campaign.input.stop;
+    if (budget.time_is_up)
+        return fmt::format("the wall time of {:g} s is spent (stop.wall_time_s)", stop.wall_time_s);
+    if (budget.points <= reserve(campaign))
+        return fmt::format("the budget of {} runs is spent (stop.runs)", stop.runs);
+    if (waves_of(campaign, "search") >= stop.waves)
+        return fmt::format("{} waves have searched (stop.waves)", stop.waves);
+    if (stop.no_improvement_waves > 0 &&
+        waves_without_improvement(campaign, best) >= stop.no_improvement_waves)
+        return fmt::format("{} waves in a row found nothing better (stop.no_improvement_waves)",
+                           stop.no_improvement_waves);
+    return std::nullopt;
+}
+
+} // namespace
+
+//! A single run of a packing scatters, and the best of many runs is a lucky one. So a campaign ends only when
+//! its best location has been repeated with fresh packings and is still the best: every repetition enters the
+//! mean of its location, and whichever location is best then is repeated in turn.
+NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment)
+{
+    Budget const budget(campaign);
+    if (campaign.waves.empty())
+        return first_wave(campaign, budget);
+    if (assessment.objective().size() == 0)
+        return {NextStep::Kind::finish,
+                {},
+                {},
+                "the design is done, and without targets there is nothing to search"};
+    if (!assessment.fitted())
+        return more_design(campaign, assessment, budget);
+
+    Location const& best = *assessment.locations().best();
+    auto const goal = goal_reached(campaign, assessment, best);
+    auto const exhausted = search_exhausted(campaign, best, budget);
+    if (goal || exhausted) {
+        int const missing = 1 + campaign.input.stop.confirmation - static_cast<int>(best.points.size());
+        bool const can_confirm = budget.points > 0 && !budget.time_is_up &&
+                                 confirmations_in_a_row(campaign) < most_confirmations_in_a_row;
+        if (missing > 0 && can_confirm) {
+            std::vector<double> const values(best.factors.begin(), best.factors.end());
+            return wave("confirmation", std::vector(std::min(missing, budget.points), values));
+        }
+        if (exhausted || missing <= 0)
+            return {NextStep::Kind::finish, {}, {}, goal ? *goal : *exhausted};
+    }
+
+    auto points = search_points(assessment, std::min(batch_size(campaign), budget.points - reserve(campaign)),
+                                wave_seed(campaign));
+    if (points.empty())
+        return {
+            NextStep::Kind::finish, {}, {}, "every combination of the factors' levels has been simulated"};
+    return wave("search", std::move(points));
+}
+
+} // namespace demens::tao_calib

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "tao_calib/wave/assessment.hpp"
+
+#include <string>
+#include <vector>
+
+namespace demens::tao_calib {
+
+//! What a campaign does next.
+struct NextStep
+{
+    enum class Kind
+    {
+        simulate, //!< a wave
+        finish,   //!< a stop criterion is met
+        give_up   //!< too few runs finished to calibrate anything
+    };
+    Kind kind = Kind::finish;
+    std::string purpose;                     //!< of the wave: "design", "search", "confirmation"
+    std::vector<std::vector<double>> points; //!< of the wave, own units
+    std::string reason;                      //!< why it ends
+};
+
+//! Decides by the campaign's content and seed alone, never by the number of ranks. `assessment` is the
+//! campaign's.
+NextStep plan_next_wave(ensemble::Campaign const& campaign, Assessment const& assessment);
+
+} // namespace demens::tao_calib
