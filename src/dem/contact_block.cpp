@@ -153,7 +153,9 @@ DEMENS_MULTIVERSION double geometry_stage(ContactBlock& b)
         double const nx = b.dx[l] * inverse, ny = b.dy[l] * inverse, nz = b.dz[l] * inverse;
         double const ri = b.radius_i[l], rj = b.radius_j[l];
         double const overlap = ri + partner * rj - distance;
-        double const arm_i = ri - (with_wall ? overlap : 0.5 * overlap);
+        // Two spheres share the overlap, which keeps angular momentum; on a wall the arm is the radius, as in the
+        // closed forms of rolling and oblique impact.
+        double const arm_i = with_wall ? ri : ri - 0.5 * overlap;
         double const arm_j = partner * (rj - 0.5 * overlap);
         // Relative velocity of the two surfaces at the contact point.
         double const ax = arm_i * b.wix[l] + arm_j * b.wjx[l];

@@ -226,10 +226,28 @@ void Simulation::compute_contacts(ContactList& list)
     for (std::size_t from = 0; from < now; from += lanes) {
         block.count = static_cast<int>(std::min(lanes, now - from));
         std::copy_n(touching_.data() + from, block.count, block.slot);
+        prefetch(list, touching_.data() + from + lanes, touching_.data() + std::min(now, from + 2 * lanes));
         gather(block, list);
         largest_overlap_ = std::max(largest_overlap_, derive_geometry(block, list.with_wall));
         evaluate_laws(block, laws, options_.time_step);
         scatter(block, list);
+    }
+}
+
+void Simulation::prefetch(ContactList const& list, std::uint32_t const* slot, std::uint32_t const* end) const
+{
+    // The next block's records are scattered over memory: ask for them while this one is computed.
+    auto const state_size = static_cast<std::size_t>(list.state_size);
+    for (; slot < end; ++slot) {
+        char const* state = reinterpret_cast<char const*>(list.state.data() + *slot * state_size);
+        __builtin_prefetch(state, 1);
+        __builtin_prefetch(state + 64, 1);
+        if (list.with_wall)
+            continue;
+        std::uint32_t const j = list.second[*slot];
+        __builtin_prefetch(&particles_.place[j]);
+        __builtin_prefetch(&particles_.motion[j]);
+        __builtin_prefetch(&particles_.load[j], 1);
     }
 }
 

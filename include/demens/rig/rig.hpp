@@ -2,9 +2,9 @@
 
 #include "demens/base/options.hpp"
 #include "demens/contact/model.hpp"
+#include "demens/observe/snapshot.hpp"
 #include "demens/shape/size_distribution.hpp"
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -42,16 +42,7 @@ struct Series
     std::vector<std::vector<double>> columns; //!< equally long
 };
 
-//! Particles at one moment, for pictures and files.
-struct Snapshot
-{
-    std::string name; //!< "settled", "final", ...
-    double time = 0;  //!< [s]
-    std::vector<double> x, y, z, radius;    //!< [m]
-    std::vector<double> vx, vy, vz;         //!< [m/s]
-    std::vector<double> wx, wy, wz;         //!< [rad/s]
-    std::vector<std::array<double, 6>> walls; //!< axis-aligned wall outlines (x0, y0, z0, x1, y1, z1) [m]
-};
+using observe::Snapshot;
 
 //! What a rig gives back; always complete, also when the run failed.
 struct RunResult

@@ -5,13 +5,14 @@
 
 namespace demens::contact {
 
-//! Mindlin's no-slip stiffness with a Coulomb limit, F_t = -S_t d_t + 2 sqrt(5/6) beta sqrt(S_t m*) v_t,
-//! S_t = 8 G* sqrt(R* d) (Mindlin 1949; Tsuji et al. 1992). In unloading the stored displacement shrinks with
-//! sqrt(d/d_old), so that an oblique impact creates no energy (Thornton et al. 2013).
+//! Mindlin's no-slip stiffness S_t = 8 G* sqrt(R* d) in increments, dF_t = -S_t ds_t, with a Coulomb limit and the
+//! damping 2 sqrt(5/6) beta sqrt(S_t m*) v_t while it sticks (Mindlin 1949; Tsuji et al. 1992). In unloading the
+//! stored force shrinks with the contact radius, sqrt(d/d_old), so that an oblique impact creates no energy
+//! (Thornton et al. 2013).
 class MindlinRescaleTangential
 {
   public:
-    //! Sliding (0 or 1), overlap of the previous step [m], tangential displacement [m].
+    //! Sliding (0 or 1), overlap of the previous step [m], elastic force of the previous step [N].
     static constexpr int state_scalars = 2;
     static constexpr int state_vectors = 1;
 
@@ -28,14 +29,13 @@ class MindlinRescaleTangential
         double const old_overlap = scalars[1];
         double const larger = contact.overlap < old_overlap ? old_overlap : contact.overlap;
         double const shrink = std::sqrt(contact.overlap / larger);
-        Vector3 const displacement = shrink * turned_into_plane(vectors[0], contact.normal) +
-                                     contact.time_step * contact.tangent_velocity;
-        double const trial = stiffness * norm(displacement);
-        double const share = friction_.limit(trial, normal.limit, scalars[0]);
-        double const viscous = (1 - scalars[0]) * damping_ * std::sqrt(stiffness * contact.effective_mass);
-        vectors[0] = share * displacement;
+        Vector3 const trial = shrink * turned_into_plane(vectors[0], contact.normal) -
+                              (stiffness * contact.time_step) * contact.tangent_velocity;
+        vectors[0] = friction_.limit(norm(trial), normal.limit, scalars[0]) * trial;
         scalars[1] = contact.overlap;
-        return viscous * contact.tangent_velocity - (share * stiffness) * displacement;
+        double const viscous =
+            (1 - scalars[0]) * damping_ * std::sqrt(stiffness * contact.effective_mass);
+        return vectors[0] + viscous * contact.tangent_velocity;
     }
 
   private:

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "demens/observe/snapshot.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace demens::observe {
+
+//! Frames for ParaView: one VTK PolyData file of the particles and one of the walls a frame, and the collections
+//! `particles.pvd` and `walls.pvd` that join them over time. The collections are complete after every frame.
+class VtkFrames
+{
+  public:
+    //! \throws InputError when the folder can neither be found nor made.
+    explicit VtkFrames(std::filesystem::path folder);
+
+    //! Adds a frame. \throws InputError when it cannot be written.
+    void write(Snapshot const& snapshot);
+    //! Number of frames so far.
+    std::size_t size() const { return times_.size(); }
+
+  private:
+    void write_collection(std::string const& name) const;
+
+    std::filesystem::path folder_;
+    std::vector<double> times_; //!< of the frames [s]
+};
+
+} // namespace demens::observe
