@@ -27,7 +27,7 @@ Rows load_rows(MPI_Comm communicator, CampaignInput const& input, Parts const& p
     auto const size = static_cast<std::size_t>(size_of(communicator));
     Rows rows;
     for (std::size_t row = total * rank / size; row < total * (rank + 1) / size; ++row) {
-        auto run = parts.load(finished.wave.runs[row], input, finished.crcs.at(row));
+        auto run = parts.load(finished.wave.runs[row], input, {finished.crcs.at(row)});
         rows.runs.push_back(std::move(run.record));
         rows.details.push_back(std::move(run.details));
         rows.bytes += parts.shard_size(finished.wave.runs[row]);

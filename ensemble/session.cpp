@@ -78,8 +78,7 @@ struct Session::Implementation
                 ++counts[0];
                 counts[1] += finished.record.status != rig::RunStatus::finished;
             }
-            for (auto const& run : wave.runs)
-                crcs.push_back(static_cast<int>(state.histories[run.run].shard_crc.value_or(0)));
+            crcs.assign(state.crcs.begin(), state.crcs.end());
             auto const seconds = expected_seconds(*campaign, wave);
             work.pending = longest_first(state.pending, seconds);
             work.suspicious = longest_first(state.suspicious, seconds);

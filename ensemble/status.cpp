@@ -54,11 +54,11 @@ RunCounts counts_of_open(fs::path const& file, Campaign const& campaign, Wave co
     for (std::size_t row = 0; row < wave.runs.size(); ++row) {
         auto const found = histories.find(wave.runs[row].run);
         auto const* history = found == histories.end() ? nullptr : &found->second;
-        if (history && history->shard_crc) {
+        if (history && !history->shard_crcs.empty()) {
             ++counts.done;
             try {
                 counts.failed +=
-                    parts.load(wave.runs[row], campaign.input, *history->shard_crc).record.status !=
+                    parts.load(wave.runs[row], campaign.input, history->shard_crcs).record.status !=
                     rig::RunStatus::finished;
             } catch (FileError const&) {
                 --counts.done; // damaged, or being gathered

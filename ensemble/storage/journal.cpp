@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 namespace demens::ensemble {
@@ -61,20 +62,21 @@ void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
         if (entry->verb == "START" || entry->verb == "ALONE") {
             count_death();
             open = *entry;
-            history.begun = std::stod(entry->value);
             continue;
         }
         open = {};
-        if (entry->verb == "END") {
-            history = {};
-            history.shard_crc = static_cast<std::uint32_t>(std::stoul(entry->value, nullptr, 16));
-        } else if (entry->verb == "CRASH") {
+        if (entry->verb == "END")
+            history.shard_crcs.push_back(static_cast<std::uint32_t>(std::stoul(entry->value, nullptr, 16)));
+        if (entry->verb == "CRASH") {
             ++history.crashes;
             history.crash = "signal " + entry->value;
         }
     }
-    if (!open.verb.empty())
-        histories[open.run].open = true;
+    if (!open.verb.empty()) {
+        auto& history = histories[open.run];
+        history.open = true;
+        history.begun = std::max(history.begun, std::stod(open.value));
+    }
     count_death();
 }
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,13 +47,13 @@ class Journal
 //! What the journals say of one run.
 struct RunHistory
 {
-    std::optional<std::uint32_t> shard_crc; //!< of its last END
-    int deaths = 0;       //!< starts since then that ended without a word, with other runs beside it
-    int deaths_alone = 0; //!< the same with nothing beside it
-    int crashes = 0;      //!< deadly signals
-    std::string crash;    //!< the last of them, e.g. "signal 11"
-    bool open = false;    //!< its last start is the last line of its journal: running, or killed
-    double begun = 0;     //!< [s] since 1970, of the last start
+    std::vector<std::uint32_t> shard_crcs; //!< one per END; a whole shard has one of them
+    int deaths = 0;                        //!< starts that ended without a word, with other runs beside it
+    int deaths_alone = 0;                  //!< the same with nothing beside it
+    int crashes = 0;                       //!< deadly signals
+    std::string crash;                     //!< the last of them, e.g. "signal 11"
+    bool open = false;                     //!< a start is the last line of a journal: running, or killed
+    double begun = 0;                      //!< [s] since 1970, of that start
 };
 
 //! Reads all journals of a folder; safe while they are written.

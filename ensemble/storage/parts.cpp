@@ -63,11 +63,13 @@ std::uintmax_t Parts::shard_size(RunRecord const& plan) const
     return fs::file_size(shard(plan.run));
 }
 
-FinishedRun Parts::load(RunRecord const& plan, CampaignInput const& input, std::uint32_t crc) const
+FinishedRun Parts::load(RunRecord const& plan, CampaignInput const& input,
+                        std::vector<std::uint32_t> const& crcs) const
 {
     auto const path = shard(plan.run);
     auto const image = read_bytes(path);
-    if (crc32_of(image) != crc)
+    auto const crc = crc32_of(image);
+    if (std::find(crcs.begin(), crcs.end(), crc) == crcs.end())
         throw FileError(
             fmt::format("{}: damaged, its check sum is not the one in the journal", path.string()));
     auto const file = hdf5::open_in_memory(image);
@@ -77,7 +79,8 @@ FinishedRun Parts::load(RunRecord const& plan, CampaignInput const& input, std::
         throw FileError(fmt::format("{}: belongs to another campaign", path.string()));
     FinishedRun run{record,
                     read_details(file, plan.wave, 0,
-                                 input.experiments.at(static_cast<std::size_t>(plan.experiment)).name)};
+                                 input.experiments.at(static_cast<std::size_t>(plan.experiment)).name),
+                    crc};
     run.record.predicted_cost = plan.predicted_cost;
     return run;
 }
@@ -89,9 +92,12 @@ WaveState Parts::inspect(Wave const& wave, CampaignInput const& input) const
     for (std::size_t row = 0; row < wave.runs.size(); ++row) {
         auto const& plan = wave.runs[row];
         auto const& history = state.histories[plan.run];
-        if (history.shard_crc) {
+        auto& crc = state.crcs.emplace_back(0);
+        if (!history.shard_crcs.empty()) {
             try {
-                state.finished.push_back({load(plan, input, *history.shard_crc).record, {}});
+                auto const run = load(plan, input, history.shard_crcs);
+                crc = run.shard_crc;
+                state.finished.push_back({run.record, {}, crc});
                 continue;
             } catch (FileError const&) {
                 // as if it had never ended: it runs again

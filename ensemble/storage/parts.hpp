@@ -15,6 +15,7 @@ struct FinishedRun
 {
     RunRecord record;
     RunDetails details;
+    std::uint32_t shard_crc = 0; //!< 0: not written yet
 };
 
 //! What a wave still lacks.
@@ -24,6 +25,7 @@ struct WaveState
     std::vector<int>
         suspicious; //!< rows that were in progress when processes died: one at a time, nothing beside it
     std::vector<int> poisonous;          //!< rows that are not begun again; see `reason_of`
+    std::vector<std::uint32_t> crcs;     //!< of the whole shard of each row; 0: there is none
     std::vector<FinishedRun> finished;   //!< whole shards; no details
     std::map<int, RunHistory> histories; //!< by run number
 };
@@ -48,9 +50,10 @@ class Parts
     void store(FinishedRun const& run, CampaignInput const& input, Journal& journal) const;
     //! What is there and whole. Reads every shard. No run may be in progress.
     WaveState inspect(Wave const& wave, CampaignInput const& input) const;
-    //! Reads the shard of a planned run with its details. \throws FileError when it is not what the journal
-    //! says
-    FinishedRun load(RunRecord const& plan, CampaignInput const& input, std::uint32_t crc) const;
+    //! Reads the shard of a planned run with its details. \throws FileError when its check
+    //! sum is none of `crcs`
+    FinishedRun load(RunRecord const& plan, CampaignInput const& input,
+                     std::vector<std::uint32_t> const& crcs) const;
     std::uintmax_t shard_size(RunRecord const& plan) const;
 
   private:
