@@ -135,7 +135,7 @@ json details_of_shown_runs(ensemble::Campaign const& campaign, Analysis const& a
                       {"series", json::array()}};
         try {
             auto const details = details_of(run->run);
-            for (auto const& snapshot : details.snapshots) entry["snapshots"].push_back(picture_of(snapshot));
+            entry["snapshots"] = pictures_of(details.snapshots);
             entry["series"] = series_of(details.series);
         } catch (InputError const& error) {
             entry["absent"] = error.what();

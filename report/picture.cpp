@@ -1,6 +1,7 @@
 #include "report/picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -27,68 +28,114 @@ struct Range
     double width() const { return std::max(0.0, upper - lower); }
 };
 
-//! Extent of particles and walls along one axis (0, 1, 2).
-Range extent_of(rig::Snapshot const& snapshot, std::vector<double> const& coordinates, std::size_t axis)
+//! What a picture shows, the same for all snapshots of a run.
+struct Frame
 {
-    Range range;
-    for (std::size_t i = 0; i < coordinates.size(); ++i)
-        if (std::isfinite(coordinates[i])) range.include(coordinates[i], snapshot.radius[i]);
-    for (auto const& wall : snapshot.walls) {
-        range.include(wall[axis]);
-        range.include(wall[axis + 3]);
+    std::array<Range, 3> along; //!< extents of particles and walls [m]
+
+    explicit Frame(std::vector<rig::Snapshot> const& snapshots)
+    {
+        for (auto const& snapshot : snapshots) {
+            include_particles(along[0], snapshot.x, snapshot.radius);
+            include_particles(along[1], snapshot.y, snapshot.radius);
+            include_particles(along[2], snapshot.z, snapshot.radius);
+            for (auto const& wall : snapshot.walls)
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    along[axis].include(wall[axis]);
+                    along[axis].include(wall[axis + 3]);
+                }
+        }
     }
-    return range;
+    //! Axis across the picture, the wider one (0: x, 1: y).
+    std::size_t across() const { return along[0].width() >= along[1].width() ? 0 : 1; }
+    //! Axis into the picture.
+    std::size_t into() const { return 1 - across(); }
+    //! Unit of lengths in the picture [m].
+    double quantum() const
+    {
+        return std::max({along[across()].width(), along[2].width(), 1e-12}) / resolution;
+    }
+
+  private:
+    static void include_particles(Range& range, std::vector<double> const& centres, std::vector<double> const& radius)
+    {
+        for (std::size_t i = 0; i < centres.size(); ++i)
+            if (std::isfinite(centres[i])) range.include(centres[i], radius[i]);
+    }
+};
+
+//! Numbers of the particles to draw, from the back to the front.
+std::vector<std::size_t> drawing_order(rig::Snapshot const& snapshot, std::vector<double> const& depth)
+{
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < depth.size(); ++i)
+        if (std::isfinite(snapshot.x[i]) && std::isfinite(snapshot.y[i]) && std::isfinite(snapshot.z[i]))
+            order.push_back(i);
+    std::ranges::stable_sort(order, [&](auto a, auto b) { return depth[a] > depth[b]; });
+    return order;
 }
 
-} // namespace
-
-json picture_of(rig::Snapshot const& snapshot)
+//! Place of each particle in the height of the first snapshot, 0 at its bottom to 100 at its top; empty where the
+//! snapshots are not of the same particles.
+std::vector<long> layers_of(rig::Snapshot const& first, rig::Snapshot const& snapshot)
 {
-    Range const along_x = extent_of(snapshot, snapshot.x, 0);
-    Range const along_y = extent_of(snapshot, snapshot.y, 1);
-    Range const vertical = extent_of(snapshot, snapshot.z, 2);
-    bool const seen_along_y = along_x.width() >= along_y.width();
-    Range const& horizontal = seen_along_y ? along_x : along_y;
-    Range const& into = seen_along_y ? along_y : along_x;
-    auto const& across = seen_along_y ? snapshot.x : snapshot.y;
-    auto const& depth = seen_along_y ? snapshot.y : snapshot.x;
+    std::vector<long> layers;
+    Range height;
+    for (double z : first.z)
+        if (std::isfinite(z)) height.include(z);
+    if (first.radius != snapshot.radius || height.width() == 0) return layers;
+    for (double z : first.z) layers.push_back(std::lround(100 * (z - height.lower) / height.width()));
+    return layers;
+}
 
-    double const quantum = std::max({horizontal.width(), vertical.width(), 1e-12}) / resolution;
-    auto quanta = [&](double length) { return std::lround(length / quantum); };
+json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame const& frame)
+{
+    auto const& horizontal = frame.along[frame.across()];
+    auto const& vertical = frame.along[2];
+    auto const& into = frame.along[frame.into()];
+    auto const& across = frame.across() == 0 ? snapshot.x : snapshot.y;
+    auto const& depth = frame.across() == 0 ? snapshot.y : snapshot.x;
+    double const quantum = frame.quantum();
+    auto quanta = [quantum](double length) { return std::lround(length / quantum); };
 
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < across.size(); ++i)
-        if (std::isfinite(across[i]) && std::isfinite(depth[i]) && std::isfinite(snapshot.z[i])) order.push_back(i);
-    std::ranges::stable_sort(order, [&](auto a, auto b) { return depth[a] > depth[b]; });
+    auto order = drawing_order(snapshot, depth);
     std::size_t const hidden = order.size() > largest_picture ? order.size() - largest_picture : 0;
     order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(hidden));
 
-    json h = json::array(), v = json::array(), r = json::array(), d = json::array(), speed = json::array();
+    json h = json::array(), v = json::array(), r = json::array(), d = json::array(), layer = json::array();
+    auto const layers = layers_of(first, snapshot);
     for (auto i : order) {
         h.push_back(quanta(across[i] - horizontal.lower));
         v.push_back(quanta(snapshot.z[i] - vertical.lower));
         r.push_back(quanta(snapshot.radius[i]));
         d.push_back(into.width() > 0 ? std::lround(100 * (depth[i] - into.lower) / into.width()) : 0);
-        double const squared = snapshot.vx[i] * snapshot.vx[i] + snapshot.vy[i] * snapshot.vy[i] +
-                               snapshot.vz[i] * snapshot.vz[i];
-        speed.push_back(std::round(1000 * std::sqrt(squared)) / 1000);
+        if (!layers.empty()) layer.push_back(layers[i]);
     }
 
     json walls = json::array();
-    for (auto const& wall : snapshot.walls) {
-        std::size_t const axis = seen_along_y ? 0 : 1;
-        walls.push_back({quanta(wall[axis] - horizontal.lower), quanta(wall[2] - vertical.lower),
-                         quanta(wall[axis + 3] - horizontal.lower), quanta(wall[5] - vertical.lower)});
-    }
+    for (auto const& wall : snapshot.walls)
+        walls.push_back({quanta(wall[frame.across()] - horizontal.lower), quanta(wall[2] - vertical.lower),
+                         quanta(wall[frame.across() + 3] - horizontal.lower), quanta(wall[5] - vertical.lower)});
+
     return {{"name", snapshot.name},
             {"time", snapshot.time},
-            {"axes", {seen_along_y ? "x" : "y", "z"}},
+            {"axes", {frame.across() == 0 ? "x" : "y", "z"}},
             {"origin", {horizontal.lower, vertical.lower}},
             {"size", {quanta(horizontal.width()), quanta(vertical.width())}},
             {"quantum", quantum},
             {"hidden", hidden},
-            {"particles", {{"h", h}, {"v", v}, {"r", r}, {"depth", d}, {"speed", speed}}},
+            {"particles", {{"h", h}, {"v", v}, {"r", r}, {"depth", d}, {"layer", layer}}},
             {"walls", walls}};
+}
+
+} // namespace
+
+json pictures_of(std::vector<rig::Snapshot> const& snapshots)
+{
+    Frame const frame(snapshots);
+    json pictures = json::array();
+    for (auto const& snapshot : snapshots) pictures.push_back(picture_of(snapshot, snapshots.front(), frame));
+    return pictures;
 }
 
 json series_of(rig::Series const& series)

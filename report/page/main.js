@@ -15,7 +15,7 @@ function show_headline() {
     const met = optimum ? limits.filter((target) =>
         Math.abs(optimum.responses[target.index] - target.value) <= target.tolerance).length : 0;
     const waiting = all_runs.length - finished_runs.length - failed_runs.length;
-    const spent = campaign.waves.reduce((sum, wave) => sum + wave.wall_time, 0);
+    const spent = campaign.waves.reduce((sum, wave) => sum + length_of(wave), 0);
     const tiles = [
         tile(optimum ? number(optimum.wmse, 3) : '–', 'weighted mean square error', optimum ? null : 'no best fit yet'),
         ...(limits.length > 0 && optimum ? [tile(`${met} of ${limits.length}`, 'targets within tolerance')] : []),

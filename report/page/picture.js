@@ -6,12 +6,10 @@ const shades = {
         const t = particles.depth[i] / 100;
         return `rgb(${Math.round(226 - 104 * t)},${Math.round(197 - 96 * t)},${Math.round(150 - 74 * t)})`;
     }},
-    speed: {legend: 'blue at rest, yellow at the largest speed', of: (particles) => {
-        const largest = Math.max(1e-9, ...particles.speed);
-        return (i) => {
-            const t = Math.sqrt(particles.speed[i] / largest);
-            return `hsl(${Math.round(235 - 185 * t)},${Math.round(45 + 45 * t)}%,${Math.round(38 + 20 * t)}%)`;
-        };
+    // Where the particle lay in the first picture, 0 (bottom) to 100 (top), in bands.
+    layer: {legend: 'where each particle lay in the first picture', of: (particles) => {
+        const bands = ['#8a4b2d', '#d2a56b', '#5d7f8f', '#dfd3bb', '#b5683c', '#7fa3a8', '#eadfca', '#6b4a3a'];
+        return (i) => bands[Math.min(bands.length - 1, Math.floor(particles.layer[i] * bands.length / 100))];
     }},
 };
 
@@ -76,13 +74,14 @@ function show_pictures(parent) {
     }
     if (drawings.length === 0) return;
     const choice = element('select', {});
-    for (const name of Object.keys(shades)) choice.append(element('option', {}, name));
+    const has_layers = drawings.every(([, picture]) => picture.particles.layer.length === picture.particles.h.length);
+    for (const name of has_layers ? ['depth', 'layer'] : ['depth']) choice.append(element('option', {}, name));
     const explained = element('span');
     const redraw = () => {
         explained.textContent = ' (' + shades[choice.value].legend + ')';
         for (const [canvas, picture] of drawings) draw_picture(canvas, picture, shades[choice.value]);
     };
     choice.addEventListener('change', redraw);
-    parent.querySelector('h2').after(element('div', {class: 'controls'}, 'colour: ', choice, explained));
+    if (has_layers) parent.querySelector('h2').after(element('div', {class: 'controls'}, 'colour: ', choice, explained));
     redraw();
 }

@@ -45,7 +45,7 @@ function show_timing(parent) {
                 colour: failed ? colours.failed : purpose_colour(wave.purpose),
                 text: `run ${run.run}: ${duration(run.wall_time)}, ${run.status}`});
         }
-        const length = wave.wall_time || Math.max(0, ...ran.map((run) => run.start_time + run.wall_time));
+        const length = length_of(wave);
         const groups = wave.groups || 1 + Math.max(0, ...ran.map((run) => run.group));
         offset += length;
         borders.push({time: offset});

@@ -84,6 +84,11 @@ const finished_runs = all_runs.filter((run) => run.outcome === 'finished');
 const failed_runs = all_runs.filter((run) => run.outcome === 'failed');
 const several_experiments = campaign.experiments.length > 1;
 
+// Wall time of a wave [s]; of one under way, up to the last run that ended.
+function length_of(wave) {
+    return wave.wall_time || Math.max(0, ...wave.runs.map((run) => run.start_time + run.wall_time).filter(known));
+}
+
 function same_point(a, b) {
     return Boolean(a && b) && a.length === b.length && a.every((value, index) => value === b[index]);
 }

@@ -82,7 +82,7 @@ TEST(Document, says_why_a_run_has_no_picture)
 
 TEST(Picture, draws_the_nearest_particle_last_and_keeps_proportions)
 {
-    auto const picture = picture_of(test::sample_details(0).snapshots[0]);
+    auto const picture = pictures_of({test::sample_details(0).snapshots[0]})[0];
     auto const& particles = picture["particles"];
     ASSERT_EQ(particles["h"].size(), 600u);
     double const quantum = picture["quantum"];
@@ -95,11 +95,29 @@ TEST(Picture, draws_the_nearest_particle_last_and_keeps_proportions)
     EXPECT_NEAR(picture["walls"][1][0].get<double>() * quantum, 1.2, quantum);
 }
 
+TEST(Picture, has_one_frame_for_all_snapshots_of_a_run)
+{
+    auto const pictures = pictures_of(test::sample_details(0).snapshots);
+    // The last column of the second snapshot has sunk by 0.22 m below the floor.
+    EXPECT_DOUBLE_EQ(pictures[0]["origin"][1], -0.22);
+    EXPECT_EQ(pictures[0]["size"], pictures[1]["size"]);
+}
+
+TEST(Picture, marks_each_particle_with_its_height_in_the_first_snapshot)
+{
+    auto const pictures = pictures_of(test::sample_details(0).snapshots);
+    for (auto const& picture : pictures) {
+        ASSERT_EQ(picture["particles"]["layer"].size(), 600u);
+        EXPECT_EQ(picture["particles"]["layer"].back(), 100); // the last drawn is the top one of the last column
+        EXPECT_EQ(picture["particles"]["layer"][1], 11);      // second of ten in the first column
+    }
+}
+
 TEST(Picture, leaves_out_particles_that_are_nowhere)
 {
     auto snapshot = test::sample_details(0).snapshots[0];
     snapshot.x[3] = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(picture_of(snapshot)["particles"]["h"].size(), 599u);
+    EXPECT_EQ(pictures_of({snapshot})[0]["particles"]["h"].size(), 599u);
 }
 
 TEST(Picture, thins_a_long_series)
