@@ -19,6 +19,7 @@ class FactorSpace
     int size() const { return static_cast<int>(factors_.size()); }
     bool constrained() const { return !constraints_.empty(); }
     std::vector<ensemble::Factor> const& factors() const { return factors_; }
+    std::vector<ensemble::LinearConstraint> const& constraints() const { return constraints_; }
 
     //! Values in own units at a point of the unit cube; a discrete factor takes the level whose share holds
     //! the point.

@@ -1,0 +1,169 @@
+#include "tao_calib/fit_table/fit_input.hpp"
+
+#include "ensemble/input/input_table.hpp"
+#include "ensemble/input/linear_inequality.hpp"
+#include "ensemble/input/nearest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+namespace demens::tao_calib {
+namespace {
+
+using ensemble::input::InputTable;
+
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<OptionSpec> const factor_options = {
+    {.key = "column", .default_value = std::string(), .doc = "name of the factor's column", .required = true},
+    {.key = "lower",
+     .default_value = not_given,
+     .doc = "lower bound; default the smallest value in the table"},
+    {.key = "upper",
+     .default_value = not_given,
+     .doc = "upper bound; default the largest value in the table"},
+    {.key = "log_scale", .default_value = false, .doc = "fit in the factor's logarithm"},
+    {.key = "fixed", .default_value = not_given, .doc = "value of the optimum and the admissible region"}};
+
+std::vector<OptionSpec> const response_options = {
+    {.key = "column",
+     .default_value = std::string(),
+     .doc = "name of the response's column",
+     .required = true},
+    {.key = "target", .default_value = not_given, .doc = "value to be met"},
+    {.key = "tolerance", .default_value = not_given, .doc = "deviation that is good enough", .lower = 0},
+    {.key = "scale", .default_value = not_given, .doc = "deviation that counts as one", .lower = 0}};
+
+std::vector<OptionSpec> const fit_options = {
+    {.key = "table",
+     .default_value = std::string(),
+     .doc = "file of comma-separated values",
+     .required = true},
+    {.key = "model",
+     .default_value = std::string("quadratic"),
+     .doc = "terms to begin with",
+     .choices = {"linear", "interaction", "quadratic"}},
+    {.key = "selection",
+     .default_value = std::string("backward"),
+     .doc = "how terms are left out",
+     .choices = {"backward", "none"}},
+    {.key = "alpha",
+     .default_value = 0.05,
+     .doc = "a term with a larger p is left out",
+     .lower = 0,
+     .upper = 1},
+    {.key = "hierarchy",
+     .default_value = std::string("products"),
+     .doc = "products: a product keeps its factors; strict: a square keeps its factor as well",
+     .choices = {"products", "strict"}}};
+
+std::vector<OptionSpec> const constraint_options = {{.key = "expression",
+                                                     .default_value = std::string(),
+                                                     .doc = "e.g. \"kinetic <= static\"",
+                                                     .required = true}};
+
+toml::table parse(std::string const& text, std::string const& origin)
+{
+    try {
+        return toml::parse(text, origin);
+    } catch (toml::parse_error const& error) {
+        throw InputError(
+            fmt::format("{}:{}: not TOML: {}", origin, error.source().begin.line, error.description()));
+    }
+}
+
+FitFactor read_factor(InputTable const& table)
+{
+    auto const values = table.read(factor_options);
+    FitFactor const factor{values.text("column"), values.number("lower"), values.number("upper"),
+                           values.flag("log_scale"), values.number("fixed")};
+    if (factor.lower >= factor.upper)
+        throw table.error("upper", fmt::format("must be above lower = {}", factor.lower));
+    if (factor.fixed < factor.lower || factor.fixed > factor.upper)
+        throw table.error(
+            "fixed", fmt::format("must lie between lower = {} and upper = {}", factor.lower, factor.upper));
+    return factor;
+}
+
+FitResponse read_response(InputTable const& table)
+{
+    auto const values = table.read(response_options);
+    FitResponse const response{values.text("column"), values.number("target"), values.number("tolerance"),
+                               values.number("scale")};
+    for (auto const& [key, value] : {std::pair{"tolerance", response.tolerance}, {"scale", response.scale}}) {
+        if (value == 0)
+            throw table.error(key, "must be above 0");
+        if (!std::isnan(value) && std::isnan(response.target))
+            throw table.error(key, "means nothing without a target");
+    }
+    return response;
+}
+
+} // namespace
+
+FitInput FitInput::from_file(std::filesystem::path const& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(file))
+        throw InputError(file.string() +
+                         ": cannot be read; give the TOML file that names a table, factors and responses");
+    return from_text({std::istreambuf_iterator<char>(stream), {}}, file.string());
+}
+
+FitInput FitInput::from_text(std::string const& toml, std::string const& origin)
+{
+    auto const parsed = parse(toml, origin);
+    InputTable const file(parsed, "", origin);
+    file.allow_only({"fit", "factor", "response", "constraint"});
+
+    auto const options = file.table("fit").read(fit_options);
+    FitInput input;
+    input.origin = origin;
+    input.table = std::filesystem::path(origin).parent_path() / options.text("table");
+    input.model = polynomial_model(options.text("model"));
+    input.eliminate = options.text("selection") == "backward";
+    input.elimination = {options.number("alpha"),
+                         options.text("hierarchy") == "strict" ? Hierarchy::strict : Hierarchy::products};
+
+    std::vector<std::string> columns;
+    auto unused = [&](InputTable const& table, std::string const& column) {
+        if (std::find(columns.begin(), columns.end(), column) != columns.end())
+            throw table.error("column", "is there twice");
+        columns.push_back(column);
+    };
+    for (auto const& table : file.table_list("factor")) {
+        input.factors.push_back(read_factor(table));
+        unused(table, input.factors.back().column);
+    }
+    auto const names = columns;
+    for (auto const& table : file.table_list("response")) {
+        input.responses.push_back(read_response(table));
+        unused(table, input.responses.back().column);
+    }
+    if (input.factors.empty() || input.responses.empty())
+        throw InputError(fmt::format("{}: a fit needs at least one [[factor]] and one [[response]]", origin));
+
+    for (auto const& table : file.table_list("constraint")) {
+        auto const text = table.read(constraint_options).text("expression");
+        try {
+            auto const inequality =
+                ensemble::input::parse_linear_inequality(text, names.size(), [&](std::string const& name) {
+                    auto const place = std::find(names.begin(), names.end(), name);
+                    if (place == names.end())
+                        throw InputError(fmt::format("`{}` is not a factor: {}", name,
+                                                     ensemble::input::suggestion(name, names)));
+                    return static_cast<std::size_t>(place - names.begin());
+                });
+            input.constraints.push_back({text, inequality.coefficients, inequality.bound});
+        } catch (InputError const& error) {
+            throw table.error("expression", error.what());
+        }
+    }
+    return input;
+}
+
+} // namespace demens::tao_calib
