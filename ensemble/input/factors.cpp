@@ -2,6 +2,7 @@
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/linear_inequality.hpp"
 #include "ensemble/input/nearest.hpp"
+#include "ensemble/input/option_range.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "ensemble/input/input_table.hpp"
 
 #include "ensemble/input/nearest.hpp"
+#include "ensemble/input/option_range.hpp"
 #include "ensemble/input/toml_text.hpp"
 
 #include <algorithm>
@@ -53,23 +54,6 @@ std::string line_prefix(std::string const& origin, toml::source_region const& so
 }
 
 } // namespace
-
-std::string range_complaint(OptionSpec const& spec, double value)
-{
-    constexpr double smallest_positive = std::numeric_limits<double>::min();
-    if (!std::isfinite(value))
-        return "must be a finite number";
-    if (value >= spec.lower && value <= spec.upper)
-        return {};
-    std::string range;
-    if (spec.lower == smallest_positive)
-        range = "greater than 0";
-    else if (std::isfinite(spec.lower))
-        range = fmt::format("at least {}", spec.lower);
-    if (std::isfinite(spec.upper))
-        range += fmt::format("{}at most {}", range.empty() ? "" : " and ", spec.upper);
-    return "must be " + range;
-}
 
 InputTable::InputTable(toml::table const& table, std::string path, std::string origin)
     : table_(&table), path_(std::move(path)), origin_(std::move(origin))

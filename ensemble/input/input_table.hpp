@@ -9,9 +9,6 @@
 
 namespace demens::ensemble::input {
 
-//! What is wrong with a number for an option ("must be at least 0"); empty when it is allowed.
-std::string range_complaint(OptionSpec const& spec, double value);
-
 //! A table of a TOML file that knows where it stands: reads options and words all errors about them.
 class InputTable
 {
