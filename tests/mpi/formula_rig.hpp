@@ -18,7 +18,8 @@ inline std::vector<double> formula(rig::RunInput const& input)
 {
     double value = 0.1 + 0.8 * RandomStream(input.seed).uniform();
     for (int i = 0; i < 40; ++i)
-        value = 3.7 * value * (1 - value) * (1 - 1e-3 * input.experiment.number("x")) + 1e-6 * input.experiment.number("y");
+        value = 3.7 * value * (1 - value) * (1 - 1e-3 * input.experiment.number("x")) +
+                1e-6 * input.experiment.number("y");
     return {value, 2 * input.experiment.number("x") + input.experiment.number("y")};
 }
 
@@ -28,7 +29,8 @@ inline rig::RunResult run_formula(rig::RunInput const& input, rig::RunHooks cons
     double const x = options.number("x");
     if (x > options.number("crash_above"))
         std::raise(static_cast<int>(options.integer("crash_signal")));
-    auto const end = std::chrono::steady_clock::now() + std::chrono::milliseconds(options.integer("milliseconds"));
+    auto const end =
+        std::chrono::steady_clock::now() + std::chrono::milliseconds(options.integer("milliseconds"));
     while (std::chrono::steady_clock::now() < end) {
         if (hooks.should_stop && hooks.should_stop())
             throw rig::RunInterrupted();
@@ -71,7 +73,10 @@ inline ensemble::Rigs const& formula_rigs()
     static ensemble::Rigs const rigs = {{
         .name = "formula",
         .doc = "a formula that takes its time",
-        .options = {number("x", 0.5), number("y", 0.5), number("crash_above", 1e9), number("throw_above", 1e9),
+        .options = {number("x", 0.5),
+                    number("y", 0.5),
+                    number("crash_above", 1e9),
+                    number("throw_above", 1e9),
                     number("nan_above", 1e9),
                     {.key = "crash_signal", .default_value = std::int64_t{SIGKILL}, .doc = "how it dies"},
                     {.key = "milliseconds", .default_value = std::int64_t{0}, .doc = "how long it takes"}},

@@ -17,9 +17,13 @@ using namespace demens::test;
 
 namespace {
 
-std::vector<std::vector<double>> const points = {{0.1, 0.2}, {0.9, 0.4}, {0.5, 0.05}, {0.3, 0.7}, {0.65, 0.95}};
+std::vector<std::vector<double>> const points = {
+    {0.1, 0.2}, {0.9, 0.4}, {0.5, 0.05}, {0.3, 0.7}, {0.65, 0.95}};
 
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(double a, double b)
+{
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
 
 //! A new campaign in a folder of this test and number of ranks.
 class SessionTest : public testing::Test
@@ -60,7 +64,8 @@ TEST_F(SessionTest, ResponsesAreThoseOfTheRigItself)
         EXPECT_EQ(session.groups(), size_of(MPI_COMM_WORLD));
         EXPECT_EQ(session.campaign().waves.size(), 2u);
     }
-    // Every rank reads the file and compares it with the rig called directly, whatever the number of ranks was.
+    // Every rank reads the file and compares it with the rig called directly, whatever the number of ranks
+    // was.
     auto const campaign = read_campaign_file(file_, formula_rigs());
     auto const runs = campaign.all_runs();
     ASSERT_EQ(runs.size(), 3 * points.size() + 3);
@@ -205,7 +210,8 @@ TEST_F(SessionTest, DamagedShardRunsAgain)
     run_shards(MPI_COMM_WORLD, file_, 0, 1, options());
     on_root(MPI_COMM_WORLD, [&] {
         // One bit of a shard, and the tail of its journal.
-        std::fstream shard(file_.string() + ".parts/run-000004.h5", std::ios::in | std::ios::out | std::ios::binary);
+        std::fstream shard(file_.string() + ".parts/run-000004.h5",
+                           std::ios::in | std::ios::out | std::ios::binary);
         shard.seekg(700);
         char const byte = static_cast<char>(shard.get() ^ 1);
         shard.seekp(700);

@@ -1,0 +1,147 @@
+// A small program around Session for tests that kill, stop or starve it: `session_driver COMMAND FILE.h5
+// [options]`.
+//   create FILE [TOML line...]   a new campaign; the lines go into the table of the first experiment
+//   run FILE WAVES POINTS        (under mpirun) goes on until WAVES waves are complete
+//   plan FILE POINTS             (under mpirun) plans the next wave and runs nothing
+//   shards FILE TASK TASKS       (under mpirun) one task of a job array
+//   dump FILE                    results as text, every bit of them; without what depends on the clock
+//   status FILE
+// Exit codes as those of demens: 0, 2 bad input, 75 drained, 1 other.
+#include "formula_rig.hpp"
+
+#include "demens/base/error.hpp"
+#include "ensemble/status.hpp"
+
+#include <cstdlib>
+#include <fmt/format.h>
+
+using namespace demens;
+using namespace demens::ensemble;
+using namespace demens::test;
+
+namespace {
+
+//! The next wave depends on the responses of the last one, so that a lost or changed result shows in all that
+//! follows.
+std::vector<std::vector<double>> next_points(Campaign const& campaign, int count)
+{
+    double carried = 0.5;
+    if (!campaign.waves.empty())
+        for (auto const& run : campaign.waves.back().runs)
+            if (run.status == rig::RunStatus::finished)
+                carried = std::fmod(carried + 7 * run.responses[0] + run.responses[1], 1.0);
+    RandomStream random(derive_seed(static_cast<std::uint64_t>(carried * 0x1p53), campaign.waves.size()));
+    std::vector<std::vector<double>> points;
+    for (int i = 0; i < count; ++i)
+        points.push_back({random.uniform(), random.uniform()});
+    return points;
+}
+
+int run(std::string const& file, int waves, int points)
+{
+    Session session(MPI_COMM_WORLD, file, {.rigs = formula_rigs(), .progress = stderr});
+    auto const& campaign = session.campaign();
+    auto const is_done = [&] {
+        return !campaign.waves.empty() && campaign.waves.back().analysis.size() == 1;
+    };
+    while (static_cast<int>(campaign.waves.size()) < waves || !is_done()) {
+        if (campaign.waves.empty() || is_done())
+            session.plan_wave("search", next_points(campaign, points));
+        if (session.run_wave() == WaveEnd::drained)
+            return 75;
+        session.store_analysis({{"optimum/carried",
+                                 {1},
+                                 {next_points(campaign, 1)[0][0]},
+                                 "1",
+                                 "what the next wave depends on"}});
+    }
+    session.end("as many waves as asked for");
+    return 0;
+}
+
+void dump(std::string const& file)
+{
+    auto const campaign = read_campaign_file(file, formula_rigs());
+    for (auto const& run : campaign.all_runs()) {
+        fmt::print("run {} wave {} point {} seed {} status {} reason '{}'", run.run, run.wave, run.point,
+                   run.seed, static_cast<int>(run.status), run.reason);
+        for (double const value : run.factors)
+            fmt::print(" {:a}", value);
+        for (double const value : run.responses)
+            fmt::print(" {:a}", value);
+        if (run.status != rig::RunStatus::not_run)
+            for (auto const& snapshot : read_run_details(file, run.run, formula_rigs()).snapshots)
+                fmt::print(" {}:{}", snapshot.name, snapshot.x.size());
+        fmt::print("\n");
+    }
+    for (auto const& wave : campaign.waves)
+        for (auto const& array : wave.analysis)
+            fmt::print("wave {} {} {:a}\n", wave.number, array.path, array.data.at(0));
+    fmt::print("ended '{}'\n", campaign.ended);
+}
+
+int with_mpi(std::vector<std::string> const& arguments)
+{
+    MPI_Init(nullptr, nullptr);
+    int rank = 0, code = 0;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    auto const complain = [&](std::exception const& error, int exit_code) {
+        if (rank == 0)
+            fmt::print(stderr, "{}\n", error.what());
+        code = exit_code;
+    };
+    try {
+        auto const& file = arguments.at(1);
+        if (arguments[0] == "plan") {
+            Session session(MPI_COMM_WORLD, file, {.rigs = formula_rigs(), .progress = nullptr});
+            session.plan_wave("search", next_points(session.campaign(), std::stoi(arguments.at(2))));
+        } else if (arguments[0] == "run")
+            code = run(file, std::stoi(arguments.at(2)), std::stoi(arguments.at(3)));
+        else if (run_shards(MPI_COMM_WORLD, file, std::stoi(arguments.at(2)), std::stoi(arguments.at(3)),
+                            {.rigs = formula_rigs(), .progress = stderr}) == WaveEnd::drained)
+            code = 75;
+    } catch (InputError const& error) {
+        complain(error, 2);
+    } catch (std::exception const& error) {
+        complain(error, 1);
+    }
+    MPI_Finalize();
+    return code;
+}
+
+int alone(std::vector<std::string> const& arguments)
+{
+    auto const& file = arguments.at(1);
+    if (arguments[0] == "create") {
+        std::string options;
+        for (std::size_t i = 2; i < arguments.size(); ++i)
+            options += arguments[i] + "\n";
+        create_campaign_file(file,
+                             CampaignInput::from_text(formula_campaign(options), "driver", formula_rigs()));
+    } else if (arguments[0] == "dump") {
+        dump(file);
+    } else {
+        fmt::print("{}", status_text(file, formula_rigs()));
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    std::vector<std::string> const arguments(argv + 1, argv + argc);
+    if (arguments.size() < 2)
+        return 2;
+    if (arguments[0] == "run" || arguments[0] == "plan" || arguments[0] == "shards")
+        return with_mpi(arguments);
+    try {
+        return alone(arguments);
+    } catch (InputError const& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 2;
+    } catch (std::exception const& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 1;
+    }
+}
