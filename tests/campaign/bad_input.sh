@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# Bad input through the executable: a message that names the place, the exit code, and no file left behind.
+# usage: bad_input.sh DEMENS CAMPAIGN.toml
+set -uo pipefail
+demens=$1 good=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+failures=0
+
+fail() {
+    echo "FAILED: $*"
+    failures=$((failures + 1))
+}
+
+# expect CODE PATTERN COMMAND...: the exit code, and a line of the output that matches.
+expect() {
+    local code=$1 pattern=$2 got
+    shift 2
+    timeout 120 "$@" >output 2>&1
+    got=$?
+    [ "$got" -eq "$code" ] || fail "$*: exit code $got instead of $code: $(cat output)"
+    grep -qE -- "$pattern" output || fail "$*: no line matches '$pattern': $(cat output)"
+    rm output
+}
+
+# only FILE...: nothing else lies in the folder.
+only() {
+    local found wanted
+    found=$(ls -A | sort | tr '\n' ' ')
+    wanted=$(printf '%s\n' "$@" | sort | tr '\n' ' ')
+    [ "$found" = "$wanted" ] || fail "files '$found' instead of '$wanted'"
+}
+
+# refused PATTERN SED_SCRIPT: the good campaign changed by the script is refused and leaves no file.
+refused() {
+    sed "$2" "$good" >bad.toml
+    cmp -s "$good" bad.toml && fail "nothing changed by $2"
+    expect 2 "^demens: error: bad.toml:[0-9]+: $1" "$demens" new bad.toml
+    only bad.toml
+}
+
+refused 'contact.steel_steel.restituton = 1: unknown key; did you mean "restitution"' 's|restitution = 1.0|restituton = 1.0|'
+refused 'material.steel.density = "heavy": must be a number' 's|density = 7800|density = "heavy"|'
+refused 'factor\[1\].lower = 0.5: must be below upper = 0.3' 's|lower = 0.05|lower = 0.5|'
+refused 'factor\[1\].path = "contact.steel_steel.friction": names nothing' 's|steel_steel.static_friction|steel_steel.friction|'
+refused 'experiment.oblique.target.rebound: the rig impact has no such response; known: normal_restitution' \
+    's|target.tangential_restitution|target.rebound|'
+refused 'experiment.oblique: .*steel meets glass, but there is no table \[contact.steel_glass\]' \
+    's|wall_material = "steel"|wall_material = "glass"|; s|^\[contact|[material.glass]\ndensity = 2500\n[contact|'
+refused 'experiment.oblique: the rig impact cannot run this: .*time_step_s' 's|angle_deg = 75|angle_deg = 75\ntime_step_s = 0.01|'
+refused 'design.points = 50: 50 design points need 50 runs' 's|points = 5|points = 50|'
+rm bad.toml
+
+cp "$good" good.toml
+expect 2 'missing.toml: cannot be read' "$demens" new missing.toml
+expect 2 '"statsu" is neither a subcommand nor a file; did you mean "status"' "$demens" statsu
+expect 2 'FILE.toml is required' "$demens" new
+only good.toml
+
+# What is no campaign file stays as it was.
+echo "not a campaign" >other.h5
+for command in run status report "replay --run 0"; do
+    # shellcheck disable=SC2086
+    expect 2 'other.h5: ' "$demens" $command other.h5
+done
+expect 2 'other.h5: exists already' "$demens" new good.toml -o other.h5
+[ "$(cat other.h5)" = "not a campaign" ] || fail "other.h5 was changed"
+rm -f other.h5 other.h5.lock
+only good.toml
+
+# Under mpirun one message, and the same exit code.
+sed 's|restitution = 1.0|restituton = 1.0|' "$good" >bad.toml
+mpirun --oversubscribe -n 3 "$demens" bad.toml >output 2>&1
+[ $? -eq 2 ] || fail "mpirun: not exit code 2: $(cat output)"
+[ "$(grep -c 'unknown key; did you mean' output)" -eq 1 ] || fail "mpirun: not one message: $(cat output)"
+rm bad.toml output
+only good.toml
+
+# A campaign file is not lost to another input.
+expect 0 'wrote good.h5' "$demens" new good.toml
+cp good.h5 before.h5
+expect 2 'good.h5: exists already' "$demens" new good.toml
+sed -i 's|restitution = 1.0|restitution = 0.9|' good.toml
+expect 2 'good.h5: was made of another input' "$demens" good.toml
+expect 2 'no run is planned yet' "$demens" replay good.h5 --run 0
+cmp -s good.h5 before.h5 || fail "good.h5 was changed"
+expect 0 'wrote good.h5' "$demens" new good.toml --force
+cmp -s good.h5 before.h5 && fail "good.h5 was not replaced"
+rm -f before.h5 good.h5 good.h5.lock
+
+# A file that cannot be written whole is not there at all.
+(
+    trap '' XFSZ
+    ulimit -f 1
+    "$demens" new good.toml >output 2>&1
+    [ $? -eq 1 ]
+) || fail "full disk: not exit code 1: $(cat output)"
+grep -q 'good.h5' output || fail "full disk: the message does not name the file: $(cat output)"
+rm output
+only good.toml
+
+[ "$failures" -eq 0 ] && echo "all passed"
+exit $((failures > 0))

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# A campaign from TOML to report and replay, as a user types it.
+# usage: command_line.sh DEMENS CAMPAIGN.toml
+set -euo pipefail
+demens=$1 campaign=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cp "$campaign" "$folder/impact.toml"
+cd "$folder"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+
+"$demens" new impact.toml >new.txt
+grep -q '5 points, 5 runs' new.txt
+mpirun --oversubscribe -n 2 "$demens" impact.h5 >run.txt
+
+# The rebound was calculated for a friction coefficient of 0.2.
+awk '$1 == "static_friction" { found = $2 } END { exit !(found > 0.199 && found < 0.201) }' run.txt
+
+"$demens" status impact.h5
+"$demens" report impact.h5 -o page.html
+test -s page.html
+
+"$demens" replay impact.h5 --run 3 --check --frames frames --frame-interval 1e-5 >replay.txt
+grep -q 'tangential_restitution .* the same bits' replay.txt
+test -s frames/particles.pvd
+
+# Again: nothing is left to do, also when the TOML file is named and without mpirun.
+"$demens" impact.toml >again.txt
+diff <(grep -v wall run.txt) <(grep -v wall again.txt)
+
+# The other command makes the same campaign in one.
+mkdir one
+cp impact.toml one/
+mpirun --oversubscribe -n 3 "$demens" one/impact.toml >/dev/null
+"$demens" replay one/impact.h5 --run 3 --check | diff <(grep bits replay.txt) <(grep bits /dev/stdin)
+
+# Everything that a campaign may say can be listed.
+"$demens" rigs impact >list.txt
+grep -q 'angle_deg .* at least 0 and at most 89' list.txt
+"$demens" laws >list.txt
+grep -q 'restitution .* required' list.txt
+"$demens" keys >list.txt
+grep -q '^\[\[factor\]\]' list.txt
+"$demens" --help >list.txt
+grep -q '75 .*run the same command again' list.txt
