@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <exception>
 #include <optional>
+#include <stdexcept>
 
 namespace demens::tao_calib {
 namespace {
@@ -21,6 +22,17 @@ bool has_runs_left(ensemble::Campaign const& campaign)
     auto const& runs = campaign.waves.back().runs;
     return std::any_of(runs.begin(), runs.end(),
                        [](auto const& run) { return run.status == rig::RunStatus::not_run; });
+}
+
+//! Whether the runs sufficed to calibrate what there was to calibrate.
+bool calibrated(ensemble::Campaign const& campaign)
+{
+    if (Objective(campaign.input).size() == 0)
+        return true;
+    return std::any_of(campaign.waves.begin(), campaign.waves.end(), [](auto const& wave) {
+        return std::any_of(wave.analysis.begin(), wave.analysis.end(),
+                           [](auto const& array) { return array.path == "optimum/predicted_point"; });
+    });
 }
 
 //! Decision and analysis of rank 0. Other ranks learn how it goes on and leave the rest to the session.
@@ -103,14 +115,12 @@ CalibrationEnd calibrate(Session& session, MPI_Comm communicator,
             session.plan_wave(decision.step.purpose, decision.step.points);
             break;
         case NextStep::Kind::finish:
-            session.end(decision.step.reason);
-            break;
         case NextStep::Kind::give_up:
             session.end(decision.step.reason);
-            return CalibrationEnd::failed;
+            break;
         }
     }
-    return CalibrationEnd::finished;
+    return calibrated(session.campaign()) ? CalibrationEnd::finished : CalibrationEnd::failed;
 }
 
 } // namespace demens::tao_calib
