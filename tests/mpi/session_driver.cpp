@@ -11,6 +11,7 @@
 
 #include "demens/base/error.hpp"
 #include "ensemble/status.hpp"
+#include "ensemble/storage/durable.hpp"
 
 #include <cstdlib>
 #include <fmt/format.h>
@@ -20,6 +21,17 @@ using namespace demens::ensemble;
 using namespace demens::test;
 
 namespace {
+
+//! The formula and the rigs of the program.
+Rigs const& driver_rigs()
+{
+    static Rigs const rigs = [] {
+        auto all = rig::all_rigs();
+        all.insert(all.end(), formula_rigs().begin(), formula_rigs().end());
+        return all;
+    }();
+    return rigs;
+}
 
 //! The next wave depends on the responses of the last one, so that a lost or changed result shows in all that
 //! follows.
@@ -39,7 +51,7 @@ std::vector<std::vector<double>> next_points(Campaign const& campaign, int count
 
 int run(std::string const& file, int waves, int points)
 {
-    Session session(MPI_COMM_WORLD, file, {.rigs = formula_rigs(), .progress = stderr});
+    Session session(MPI_COMM_WORLD, file, {.rigs = driver_rigs(), .progress = stderr});
     auto const& campaign = session.campaign();
     auto const is_done = [&] {
         return !campaign.waves.empty() && campaign.waves.back().analysis.size() == 1;
@@ -61,7 +73,7 @@ int run(std::string const& file, int waves, int points)
 
 void dump(std::string const& file)
 {
-    auto const campaign = read_campaign_file(file, formula_rigs());
+    auto const campaign = read_campaign_file(file, driver_rigs());
     for (auto const& run : campaign.all_runs()) {
         fmt::print("run {} wave {} point {} seed {} status {} reason '{}'", run.run, run.wave, run.point,
                    run.seed, static_cast<int>(run.status), run.reason);
@@ -70,13 +82,14 @@ void dump(std::string const& file)
         for (double const value : run.responses)
             fmt::print(" {:a}", value);
         if (run.status != rig::RunStatus::not_run)
-            for (auto const& snapshot : read_run_details(file, run.run, formula_rigs()).snapshots)
+            for (auto const& snapshot : read_run_details(file, run.run, driver_rigs()).snapshots)
                 fmt::print(" {}:{}", snapshot.name, snapshot.x.size());
         fmt::print("\n");
     }
     for (auto const& wave : campaign.waves)
         for (auto const& array : wave.analysis)
-            fmt::print("wave {} {} {:a}\n", wave.number, array.path, array.data.at(0));
+            fmt::print("wave {} {} {} numbers, check sum {:08x}\n", wave.number, array.path,
+                       array.data.size(), crc32_of(std::as_bytes(std::span(array.data))));
     fmt::print("ended '{}'\n", campaign.ended);
 }
 
@@ -93,12 +106,12 @@ int with_mpi(std::vector<std::string> const& arguments)
     try {
         auto const& file = arguments.at(1);
         if (arguments[0] == "plan") {
-            Session session(MPI_COMM_WORLD, file, {.rigs = formula_rigs(), .progress = nullptr});
+            Session session(MPI_COMM_WORLD, file, {.rigs = driver_rigs(), .progress = nullptr});
             session.plan_wave("search", next_points(session.campaign(), std::stoi(arguments.at(2))));
         } else if (arguments[0] == "run")
             code = run(file, std::stoi(arguments.at(2)), std::stoi(arguments.at(3)));
         else if (run_shards(MPI_COMM_WORLD, file, std::stoi(arguments.at(2)), std::stoi(arguments.at(3)),
-                            {.rigs = formula_rigs(), .progress = stderr}) == WaveEnd::drained)
+                            {.rigs = driver_rigs(), .progress = stderr}) == WaveEnd::drained)
             code = 75;
     } catch (InputError const& error) {
         complain(error, 2);
@@ -117,11 +130,11 @@ int alone(std::vector<std::string> const& arguments)
         for (std::size_t i = 2; i < arguments.size(); ++i)
             options += arguments[i] + "\n";
         create_campaign_file(file,
-                             CampaignInput::from_text(formula_campaign(options), "driver", formula_rigs()));
+                             CampaignInput::from_text(formula_campaign(options), "driver", driver_rigs()));
     } else if (arguments[0] == "dump") {
         dump(file);
     } else {
-        fmt::print("{}", status_text(file, formula_rigs()));
+        fmt::print("{}", status_text(file, driver_rigs()));
     }
     return 0;
 }
