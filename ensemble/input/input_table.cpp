@@ -1,5 +1,6 @@
 #include "ensemble/input/input_table.hpp"
 
+#include "ensemble/input/input_options.hpp"
 #include "ensemble/input/nearest.hpp"
 #include "ensemble/input/option_range.hpp"
 #include "ensemble/input/toml_text.hpp"
@@ -85,9 +86,8 @@ void InputTable::allow_only(std::vector<std::string> const& known) const
 OptionValues InputTable::read(std::vector<OptionSpec> const& specs,
                               std::vector<std::string> const& others) const
 {
-    auto known = others;
-    for (auto const& spec : specs)
-        known.push_back(spec.key);
+    auto known = keys_of(specs);
+    known.insert(known.end(), others.begin(), others.end());
     allow_only(known);
 
     auto values = defaults_of(specs);

@@ -221,7 +221,8 @@ TEST(BadInput, SectionsThatDoNotFitTogether)
                 HasSubstr("breaks the constraint \"mu_k <= static_friction\""));
     EXPECT_THAT(message_with("kind = \"latin_hypercube\"", "kind = \"sobol\"\nlevels = 3"),
                 HasSubstr("is not used by kind = \"sobol\", only by full_factorial, d_optimal"));
-    EXPECT_THAT(message_with("[[experiment]]", "[experiment]"), HasSubstr("test.toml"));
+    EXPECT_THAT(message_with("[[constraint]]", "[constraint]"),
+                HasSubstr("constraint: must be a list of tables: write [[constraint]] in front of each"));
 }
 
 TEST(BadInput, NotToml)
@@ -230,6 +231,26 @@ TEST(BadInput, NotToml)
                 AllOf(StartsWith("test.toml:3: "), HasSubstr("not TOML")));
     EXPECT_THAT(message_with("seed = 7", "seed = 7\nseed = 8"),
                 AllOf(StartsWith("test.toml:4: "), HasSubstr("seed")));
+}
+
+//! No text makes the reader do anything but read or refuse.
+TEST(BadInput, EveryTruncationIsReadOrRefused)
+{
+    auto const text = good_campaign();
+    int refused = 0;
+    for (std::size_t size = 0; size < text.size(); ++size)
+        refused += !message_about(text.substr(0, size)).empty();
+    EXPECT_GT(refused, static_cast<int>(text.find("[[constraint]]"))) << "needs all that stands before";
+    EXPECT_LT(refused, static_cast<int>(text.size())) << "sections at the end may be left out";
+}
+
+TEST(BadInput, NoTargetMeansNoSearch)
+{
+    auto text = good_campaign();
+    for (std::string const name : {"angle_deg", "flow_kg_s", "rebound"})
+        text = replaced(text, "target." + name, "#");
+    EXPECT_THAT(message_about(text), HasSubstr("no experiment has a target"));
+    EXPECT_EQ(message_about(replaced(text, "waves = 10", "waves = 0")), "");
 }
 
 TEST(BadInput, FileThatIsNotThere)
