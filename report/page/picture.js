@@ -60,6 +60,7 @@ function show_pictures(parent) {
         const head = element('p', {class: 'note'}, title_of_details(details));
         parent.append(head);
         if (details.absent) head.append(`: no picture, ${details.absent}`);
+        else if (details.snapshots.length === 0) head.append(': this rig keeps no picture of its particles');
         const row = element('div', {class: 'columns', style:
             `grid-template-columns: repeat(${Math.min(Math.max(details.snapshots.length, 2), 3)}, 1fr)`});
         parent.append(row);

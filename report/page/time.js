@@ -2,7 +2,7 @@
 
 function show_series(parent) {
     const shown = campaign.details.filter((details) => details.series.length > 1 && details.series[0].values.length > 1);
-    if (shown.length === 0) parent.append(element('p', {class: 'note'}, 'No time series stored yet.'));
+    if (shown.length === 0) parent.append(element('p', {class: 'note'}, campaign.details.length > 0 ? 'This rig keeps no time series.' : 'No run has finished yet.'));
     for (const details of shown) {
         parent.append(element('p', {class: 'note'}, title_of_details(details)));
         const row = element('div', {class: 'columns', style: 'grid-template-columns: repeat(3, 1fr)'});

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# The report of a real campaign in a real browser: before any run, and when it has ended.
+# usage: report_page.sh DEMENS CAMPAIGN.toml CHROMIUM
+set -euo pipefail
+demens=$1 campaign=$2 chromium=$3
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cp "$campaign" "$folder/impact.toml"
+cd "$folder"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+
+# page_body: writes the report, lets its scripts run, prints the page that they made, without the scripts.
+page_body()
+{
+    "$demens" report impact.h5 >/dev/null
+    timeout 120 "$chromium" --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --disable-quic --no-first-run \
+        --disable-background-networking --disable-component-update --disable-sync --user-data-dir="$folder/profile" \
+        --virtual-time-budget=20000 --dump-dom "file://$folder/impact.html" 2>/dev/null | sed '/^<script>/,/^<\/script>/d'
+}
+
+"$demens" new impact.toml >/dev/null
+page_body >dom.html
+grep -q '<body[^>]* data-errors="0"[^>]* data-ready="yes"' dom.html
+grep -q 'No best fit yet' dom.html
+
+mpirun --oversubscribe -n 2 "$demens" impact.h5 >/dev/null
+page_body >dom.html
+grep -q '<body[^>]* data-errors="0"[^>]* data-ready="yes"' dom.html
+grep -q 'every target with a tolerance is met' dom.html
+for plot in deviations convergence intervals response-0-1-static_friction timing; do
+    grep -q "data-plot=\"$plot\" data-marks=\"[1-9]" dom.html || { echo "no marks in plot $plot"; exit 1; }
+done
+# The friction coefficient of the best point, as the table shows it.
+grep -q '<td><b>0\.2</b></td>' dom.html
