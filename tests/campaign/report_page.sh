@@ -28,7 +28,7 @@ page_body >dom.html
 grep -q '<body[^>]* data-errors="0"[^>]* data-ready="yes"' dom.html
 grep -q 'every target with a tolerance is met' dom.html
 for plot in deviations convergence intervals response-0-1-static_friction timing; do
-    grep -q "data-plot=\"$plot\" data-marks=\"[1-9]" dom.html || { echo "no marks in plot $plot"; exit 1; }
+    grep -q "data-plot=\"$plot\" [^>]*data-marks=\"[1-9]" dom.html || { echo "no marks in plot $plot"; exit 1; }
 done
 # The friction coefficient of the best point, as the table shows it.
 grep -q '<td><b>0\.2</b></td>' dom.html
