@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <exception>
 #include <fmt/format.h>
 
 namespace demens::ensemble {
@@ -52,7 +53,9 @@ struct Session::Implementation
     ~Implementation()
     {
         presence.reset();
-        MPI_Barrier(communicator); // the next session finds nobody at work
+        if (std::uncaught_exceptions() ==
+            exceptions_before)         // a rank that fails alone must not wait for the others
+            MPI_Barrier(communicator); // the next session finds nobody at work
     }
 
     bool is_root() const { return rank_of(communicator) == 0; }
@@ -107,6 +110,7 @@ struct Session::Implementation
         share_last_wave(communicator, *campaign);
     }
 
+    int exceptions_before = std::uncaught_exceptions();
     Communicator communicator;
     fs::path file;
     Parts parts;

@@ -1,0 +1,96 @@
+#include "demens/base/error.hpp"
+#include "ensemble/file/hdf5.hpp"
+#include "ensemble/session.hpp"
+#include "ensemble/status.hpp"
+#include "tests/mpi/formula_rig.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+using namespace demens;
+using namespace demens::ensemble;
+using namespace demens::test;
+
+namespace {
+
+//! The message of the InputError that opening a file gives.
+std::string refusal(std::string const& file)
+{
+    try {
+        read_campaign_file(file, formula_rigs());
+        return "accepted";
+    } catch (InputError const& error) {
+        return error.what();
+    }
+}
+
+void create(std::string const& file)
+{
+    std::filesystem::remove(file);
+    create_campaign_file(file, CampaignInput::from_text(formula_campaign(), "test", formula_rigs()));
+}
+
+} // namespace
+
+TEST(CampaignFile, KeepsTheInputByteForByte)
+{
+    create("kept.h5");
+    auto const campaign = read_campaign_file("kept.h5", formula_rigs());
+    EXPECT_EQ(campaign.input.text(), formula_campaign());
+    EXPECT_EQ(campaign.input.factors.size(), 2u);
+    EXPECT_EQ(campaign.runs_planned(), 0);
+    EXPECT_EQ(campaign.ended, "");
+}
+
+TEST(CampaignFile, IsNotOverwritten)
+{
+    create("twice.h5");
+    EXPECT_THROW(create_campaign_file("twice.h5",
+                                      CampaignInput::from_text(formula_campaign(), "test", formula_rigs())),
+                 InputError);
+}
+
+TEST(CampaignFile, RefusesWhatIsNoCampaign)
+{
+    EXPECT_EQ(refusal("missing.h5"),
+              "missing.h5: no such file; a campaign file is made by: demens new FILE.toml");
+    std::ofstream("text.h5") << "not HDF5";
+    EXPECT_EQ(refusal("text.h5"),
+              "text.h5: not a campaign file, since it is not HDF5; a campaign file is made by: "
+              "demens new FILE.toml");
+    {
+        auto const other = hdf5::create_in_memory();
+        hdf5::write_text(other, "/greeting", "hello");
+        write_durably("other.h5", hdf5::image_of(other));
+    }
+    EXPECT_NE(refusal("other.h5").find("other.h5: an HDF5 file but not a campaign"), std::string::npos)
+        << refusal("other.h5");
+}
+
+TEST(CampaignFile, RefusesANewerFormat)
+{
+    create("newer.h5");
+    auto file = hdf5::open_to_write("newer.h5");
+    hdf5::set_attribute(file, "/", "format_version", std::int64_t{2});
+    hdf5::set_attribute(file, "/", "program_version", "9.0.0");
+    hdf5::close(file);
+    EXPECT_EQ(refusal("newer.h5"),
+              "newer.h5: campaign format 2 is newer than this program, which reads up to format 1; "
+              "use the demens that wrote it (version 9.0.0) or a later one");
+}
+
+TEST(CampaignFile, RefusesATruncatedFile)
+{
+    create("cut.h5");
+    std::filesystem::resize_file("cut.h5", std::filesystem::file_size("cut.h5") / 2);
+    EXPECT_NE(refusal("cut.h5").find("cut.h5: damaged"), std::string::npos) << refusal("cut.h5");
+}
+
+TEST(Status, OfANewCampaign)
+{
+    create("new.h5");
+    auto const text = status_text("new.h5", formula_rigs());
+    EXPECT_NE(text.find("not running; go on with: mpirun -n N demens new.h5"), std::string::npos) << text;
+    EXPECT_NE(text.find("best fit   none yet"), std::string::npos) << text;
+}

@@ -1,0 +1,110 @@
+#include "ensemble/storage/journal.hpp"
+
+#include "ensemble/storage/durable.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+using namespace demens::ensemble;
+
+namespace {
+
+class JournalTest : public testing::Test
+{
+  protected:
+    JournalTest()
+    {
+        folder_ = std::string("journal-") + testing::UnitTest::GetInstance()->current_test_info()->name();
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+    }
+
+    std::filesystem::path folder_;
+};
+
+} // namespace
+
+TEST(CheckSum, IsTheOneOfTheStandard)
+{
+    EXPECT_EQ(crc32_of(std::string("123456789")), 0xcbf43926u); // check value of CRC-32/ISO-HDLC
+}
+
+TEST_F(JournalTest, CountsDeathsByWhatWasWritten)
+{
+    {
+        Journal journal(folder_, "rank-0000");
+        journal.start(1, Journal::Company::others);
+        journal.end(1, 0xabcd1234u);
+        journal.start(2, Journal::Company::others); // killed
+    }
+    {
+        Journal journal(folder_, "rank-0000");
+        journal.start(2, Journal::Company::others);
+        journal.drain(2);                          // given up on request: does not count
+        journal.start(3, Journal::Company::alone); // killed
+    }
+    {
+        Journal journal(folder_, "rank-0001");
+        journal.start(4, Journal::Company::others);
+        std::ofstream(folder_ / "journal-rank-0001", std::ios::app) << journal.crash_line(4, 11);
+        journal.start(2, Journal::Company::others); // killed
+    }
+    auto histories = read_journals(folder_);
+    EXPECT_EQ(histories[1].shard_crcs, std::vector<std::uint32_t>{0xabcd1234u});
+    EXPECT_EQ(histories[1].deaths, 0);
+    EXPECT_EQ(histories[2].deaths, 2);
+    EXPECT_TRUE(histories[2].open);
+    EXPECT_EQ(histories[2].deaths_alone, 0);
+    EXPECT_EQ(histories[3].deaths_alone, 1);
+    EXPECT_EQ(histories[3].deaths, 0);
+    EXPECT_EQ(histories[4].crashes, 1);
+    EXPECT_EQ(histories[4].crash, "signal 11");
+    EXPECT_EQ(histories[4].deaths, 0);
+}
+
+TEST_F(JournalTest, DamagedLinesAreAsIfTheyWereNotThere)
+{
+    auto const file = folder_ / "journal-rank-0000";
+    {
+        Journal journal(folder_, "rank-0000");
+        journal.start(1, Journal::Company::others);
+        journal.end(1, 7);
+        journal.start(2, Journal::Company::others);
+        journal.end(2, 8);
+    }
+    // Cut at every length: no cut makes a line that was not written, and the next line is whole again.
+    auto const whole = read_bytes(file);
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+        std::filesystem::resize_file(file, length);
+        Journal(folder_, "rank-0000").start(3, Journal::Company::others);
+        auto histories = read_journals(folder_);
+        EXPECT_TRUE(histories[3].open) << length;
+        EXPECT_LE(histories[1].shard_crcs.size() + histories[2].shard_crcs.size(), 2u);
+        for (auto const crc : histories[1].shard_crcs)
+            EXPECT_EQ(crc, 7u);
+        for (auto const crc : histories[2].shard_crcs)
+            EXPECT_EQ(crc, 8u);
+        std::ofstream(file, std::ios::binary)
+            .write(reinterpret_cast<char const*>(whole.data()), static_cast<std::streamsize>(whole.size()));
+    }
+    // One wrong bit in the last END: run 2 was begun and never ended.
+    auto changed = whole;
+    changed[changed.size() - 2] ^= std::byte{1};
+    write_durably(file, changed);
+    auto histories = read_journals(folder_);
+    EXPECT_EQ(histories[1].shard_crcs.size(), 1u);
+    EXPECT_TRUE(histories[2].shard_crcs.empty());
+    EXPECT_EQ(histories[2].deaths, 1);
+}
+
+TEST(WriteDurably, NamesTheFileThatCannotBeWritten)
+{
+    std::filesystem::remove_all("no-such-folder");
+    try {
+        write_durably("no-such-folder/file", {});
+        FAIL();
+    } catch (FileError const& error) {
+        EXPECT_STREQ(error.what(), "cannot create no-such-folder/file.part: No such file or directory");
+    }
+}

@@ -1,0 +1,85 @@
+#include "demens/base/error.hpp"
+#include "ensemble/progress.hpp"
+#include "ensemble/run/execute.hpp"
+#include "tests/mpi/formula_rig.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace demens;
+using namespace demens::ensemble;
+using namespace demens::test;
+
+namespace {
+
+Campaign new_campaign(std::string const& options = "")
+{
+    return {CampaignInput::from_text(formula_campaign(options), "test", formula_rigs()), {}, ""};
+}
+
+} // namespace
+
+TEST(Plan, NumbersRunsThroughTheCampaign)
+{
+    auto campaign = new_campaign();
+    campaign.waves.push_back(plan_runs(campaign, "design", {{0.1, 0.2}, {0.3, 0.4}}));
+    auto const wave = plan_runs(campaign, "search", {{0.5, 0.6}});
+    EXPECT_EQ(wave.number, 1);
+    ASSERT_EQ(wave.runs.size(), 3u); // two replicates of one experiment, one of the other
+    EXPECT_EQ(wave.runs[0].run, 6);
+    EXPECT_EQ(wave.runs[2].point, 2);
+    EXPECT_EQ(wave.runs[1].seed, campaign.input.run_seed(2, 0, 1));
+    EXPECT_DOUBLE_EQ(wave.runs[0].predicted_cost, 1.5e6);
+    EXPECT_THROW(plan_runs(campaign, "search", {{0.5}}), InputError);
+}
+
+TEST(Schedule, LongestRunFirst)
+{
+    EXPECT_EQ(longest_first({0, 1, 2, 3}, {2, 5, 5, 7}), (std::vector<int>{3, 1, 2, 0}));
+}
+
+TEST(Schedule, PredictionsAreCorrectedFromFinishedRuns)
+{
+    auto campaign = new_campaign();
+    campaign.waves.push_back(plan_runs(campaign, "design", {{0.0, 0.2}}));
+    for (auto& run : campaign.waves[0].runs) { // all of the same predicted cost, 1e6
+        run.status = rig::RunStatus::finished;
+        run.wall_time = run.experiment == 0 ? 30 : 4;
+    }
+    auto const wave = plan_runs(campaign, "search", {{1.0, 0.5}}); // twice the cost
+    auto const seconds = expected_seconds(campaign, wave);
+    EXPECT_DOUBLE_EQ(seconds[0], 60);
+    EXPECT_DOUBLE_EQ(seconds[2], 8);
+}
+
+TEST(Execute, WhateverGoesWrongIsAStatus)
+{
+    auto const run = [](std::string const& options) {
+        auto campaign = new_campaign(options);
+        return execute(campaign.input, plan_runs(campaign, "design", {{0.9, 0.5}}).runs[0], {}).record;
+    };
+    EXPECT_EQ(run("").status, rig::RunStatus::finished);
+    EXPECT_EQ(run("throw_above = 0.5").status, rig::RunStatus::error);
+    EXPECT_EQ(run("throw_above = 0.5").reason, "no sphere fits");
+    EXPECT_EQ(run("nan_above = 0.5").status, rig::RunStatus::not_a_number);
+    EXPECT_EQ(run("nan_above = 0.5").responses.size(), 2u);
+}
+
+TEST(Progress, TimeLeft)
+{
+    EXPECT_EQ(duration_text(59.4), "59 s");
+    EXPECT_EQ(duration_text(200), "3 min 20 s");
+    EXPECT_EQ(duration_text(7500), "2 h 05 min");
+    EXPECT_EQ(duration_text(std::nan("")), "unknown");
+    ProgressState state;
+    state.runs = 10;
+    state.work = 100;
+    state.groups = 4;
+    EXPECT_DOUBLE_EQ(seconds_left(state), 25); // four groups, nothing finished yet
+    state.done = 4;
+    state.work_done = 40;
+    state.elapsed = 20; // twice as fast as predicted
+    EXPECT_DOUBLE_EQ(seconds_left(state), 30);
+    state.done = 10;
+    EXPECT_DOUBLE_EQ(seconds_left(state), 0);
+}
