@@ -14,7 +14,12 @@ HERE=$PWD
 RUN=$(mktemp -d /tmp/demens-slurm.XXXXXX) # MUNGE wants a path that only root can write to, and sockets a short one
 chmod 755 "$RUN"
 
-stop_all() { kill $(cat "$RUN"/*.pid 2>/dev/null) 2>/dev/null; sleep 1; rm -rf "$RUN"; }
+stop_all() {
+  local daemons
+  daemons=$(cat "$RUN"/*.pid 2>/dev/null)
+  for attempt in $(seq 1 20); do kill $daemons 2>/dev/null || break; sleep 0.5; done
+  rm -rf "$RUN"
+}
 trap stop_all EXIT
 
 head -c 1024 /dev/urandom >"$RUN/munge.key" && chmod 400 "$RUN/munge.key"
