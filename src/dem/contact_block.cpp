@@ -42,8 +42,9 @@ template <class Law>
 DEMENS_MULTIVERSION void normal_stage(ContactBlock& b, Law const law, double time_step)
 {
     constexpr int n = Law::state_scalars;
+    int const padded = ContactBlock::padded(b.count);
 #pragma GCC ivdep
-    for (int l = 0; l < lanes; ++l) {
+    for (int l = 0; l < padded; ++l) {
         double scalars[n + 1];
         load_scalars<n>(b, 0, l, scalars);
         NormalResponse const response = law(kinematics(b, l, time_step), scalars);
@@ -62,8 +63,9 @@ DEMENS_MULTIVERSION void tangential_stage(ContactBlock& b, Law const law, double
                                           int vector_at)
 {
     constexpr int n = Law::state_scalars;
+    int const padded = ContactBlock::padded(b.count);
 #pragma GCC ivdep
-    for (int l = 0; l < lanes; ++l) {
+    for (int l = 0; l < padded; ++l) {
         double scalars[n + 1];
         load_scalars<n>(b, scalars_at, l, scalars);
         Vector3 stored{b.state[vector_at][l], b.state[vector_at + 1][l], b.state[vector_at + 2][l]};
@@ -82,8 +84,9 @@ DEMENS_MULTIVERSION void tangential_stage(ContactBlock& b, Law const law, double
 template <class Law>
 DEMENS_MULTIVERSION void rolling_stage(ContactBlock& b, Law const law, double time_step, int vector_at)
 {
+    int const padded = ContactBlock::padded(b.count);
 #pragma GCC ivdep
-    for (int l = 0; l < lanes; ++l) {
+    for (int l = 0; l < padded; ++l) {
         Vector3 stored;
         if constexpr (Law::state_vectors > 0)
             stored = {b.state[vector_at][l], b.state[vector_at + 1][l], b.state[vector_at + 2][l]};
@@ -130,12 +133,30 @@ int vectors_of_any(Any const& any)
     return std::visit([]<class Law>(Law const&) { return vectors_of<Law>(); }, any);
 }
 
+//! Torques: the force acts at the contact point, -arm_i n from i and arm_j n from j.
+DEMENS_MULTIVERSION void torque_stage(ContactBlock& b)
+{
+    int const padded = ContactBlock::padded(b.count);
+#pragma GCC ivdep
+    for (int l = 0; l < padded; ++l) {
+        Vector3 const turning = cross({b.nx[l], b.ny[l], b.nz[l]}, {b.fx[l], b.fy[l], b.fz[l]});
+        double const ai = b.arm_i[l], aj = b.arm_j[l];
+        b.tix[l] = b.mx[l] - ai * turning.x;
+        b.tiy[l] = b.my[l] - ai * turning.y;
+        b.tiz[l] = b.mz[l] - ai * turning.z;
+        b.tjx[l] = -(b.mx[l] + aj * turning.x);
+        b.tjy[l] = -(b.my[l] + aj * turning.y);
+        b.tjz[l] = -(b.mz[l] + aj * turning.z);
+    }
+}
+
 } // namespace
 
 StateLayout state_layout(contact::LawSet const& laws)
 {
     int const scalars = scalars_of_any(laws.normal) + scalars_of_any(laws.tangential);
-    return {scalars, scalars + 3 * (vectors_of_any(laws.tangential) + vectors_of_any(laws.rolling))};
+    int const size = scalars + 3 * (vectors_of_any(laws.tangential) + vectors_of_any(laws.rolling));
+    return {scalars, (size + 3) / 4 * 4};
 }
 
 namespace {
@@ -146,8 +167,9 @@ DEMENS_MULTIVERSION double geometry_stage(ContactBlock& b)
     // A wall is flat and cannot be moved: it adds neither curvature nor mass, and its point of contact is its own.
     constexpr double partner = with_wall ? 0.0 : 1.0;
     double largest[lanes];
+    int const padded = ContactBlock::padded(b.count);
 #pragma GCC ivdep
-    for (int l = 0; l < lanes; ++l) {
+    for (int l = 0; l < padded; ++l) {
         double const distance = std::sqrt(b.dx[l] * b.dx[l] + b.dy[l] * b.dy[l] + b.dz[l] * b.dz[l]);
         double const inverse = 1 / distance;
         double const nx = b.dx[l] * inverse, ny = b.dy[l] * inverse, nz = b.dz[l] * inverse;
@@ -180,7 +202,7 @@ DEMENS_MULTIVERSION double geometry_stage(ContactBlock& b)
         largest[l] = overlap / (ri < rj ? ri : rj);
     }
     double result = 0;
-    for (int l = 0; l < lanes; ++l)
+    for (int l = 0; l < padded; ++l)
         result = largest[l] > result ? largest[l] : result;
     return result;
 }
@@ -211,6 +233,7 @@ void evaluate_laws(ContactBlock& block, contact::LawSet const& laws, double time
                 rolling_stage(block, law, time_step, rolling_vector_at);
         },
         laws.rolling);
+    torque_stage(block);
 }
 
 } // namespace demens::dem

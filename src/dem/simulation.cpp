@@ -1,6 +1,7 @@
 #include "demens/dem/simulation.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/dem/block_transfer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -226,96 +227,18 @@ void Simulation::compute_contacts(ContactList& list)
     for (std::size_t from = 0; from < now; from += lanes) {
         block.count = static_cast<int>(std::min(lanes, now - from));
         std::copy_n(touching_.data() + from, block.count, block.slot);
-        prefetch(list, touching_.data() + from + lanes, touching_.data() + std::min(now, from + 2 * lanes));
-        gather(block, list);
+        prefetch_contacts(list, touching_.data() + from + lanes, touching_.data() + std::min(now, from + 2 * lanes),
+                          particles_);
+        if (list.with_wall)
+            gather_wall_contacts(block, list, particles_, walls_);
+        else
+            gather_pairs(block, list, particles_);
         largest_overlap_ = std::max(largest_overlap_, derive_geometry(block, list.with_wall));
         evaluate_laws(block, laws, options_.time_step);
-        scatter(block, list);
-    }
-}
-
-void Simulation::prefetch(ContactList const& list, std::uint32_t const* slot, std::uint32_t const* end) const
-{
-    // The next block's records are scattered over memory: ask for them while this one is computed.
-    auto const state_size = static_cast<std::size_t>(list.state_size);
-    for (; slot < end; ++slot) {
-        char const* state = reinterpret_cast<char const*>(list.state.data() + *slot * state_size);
-        __builtin_prefetch(state, 1);
-        __builtin_prefetch(state + 64, 1);
         if (list.with_wall)
-            continue;
-        std::uint32_t const j = list.second[*slot];
-        __builtin_prefetch(&particles_.place[j]);
-        __builtin_prefetch(&particles_.motion[j]);
-        __builtin_prefetch(&particles_.load[j], 1);
-    }
-}
-
-void Simulation::gather(ContactBlock& b, ContactList const& list) const
-{
-    auto const state_size = static_cast<std::size_t>(list.state_size);
-    for (int l = 0; l < ContactBlock::lanes; ++l) {
-        std::uint32_t const slot = b.slot[l < b.count ? l : b.count - 1];
-        std::uint32_t const i = list.first[slot], j = list.second[slot];
-        Place const& pi = particles_.place[i];
-        Motion const& mi = particles_.motion[i];
-        b.wix[l] = mi.wx, b.wiy[l] = mi.wy, b.wiz[l] = mi.wz;
-        b.radius_i[l] = pi.radius;
-        b.mass_i[l] = mi.mass;
-        if (list.with_wall) {
-            Wall const& wall = walls_[j];
-            Vector3 const position{pi.x, pi.y, pi.z};
-            Vector3 offset = position - wall.nearest(position);
-            if (norm_squared(offset) == 0) // the centre is on the wall: push along its normal
-                offset = 1e-9 * pi.radius * wall.normal();
-            b.dx[l] = offset.x, b.dy[l] = offset.y, b.dz[l] = offset.z;
-            b.radius_j[l] = pi.radius;
-            b.mass_j[l] = 1e300;
-            b.vx[l] = mi.vx - wall.velocity.x;
-            b.vy[l] = mi.vy - wall.velocity.y;
-            b.vz[l] = mi.vz - wall.velocity.z;
-            b.wjx[l] = b.wjy[l] = b.wjz[l] = 0;
-        } else {
-            Place const& pj = particles_.place[j];
-            Motion const& mj = particles_.motion[j];
-            b.dx[l] = pi.x - pj.x, b.dy[l] = pi.y - pj.y, b.dz[l] = pi.z - pj.z;
-            b.radius_j[l] = pj.radius;
-            b.mass_j[l] = mj.mass;
-            b.vx[l] = mi.vx - mj.vx, b.vy[l] = mi.vy - mj.vy, b.vz[l] = mi.vz - mj.vz;
-            b.wjx[l] = mj.wx, b.wjy[l] = mj.wy, b.wjz[l] = mj.wz;
-        }
-        double const* state = list.state.data() + slot * state_size;
-        for (std::size_t k = 0; k < state_size; ++k)
-            b.state[k][l] = state[k];
-    }
-}
-
-void Simulation::scatter(ContactBlock const& b, ContactList& list)
-{
-    auto const state_size = static_cast<std::size_t>(list.state_size);
-    for (int l = 0; l < b.count; ++l) {
-        std::uint32_t const slot = b.slot[l];
-        double* state = list.state.data() + slot * state_size;
-        for (std::size_t k = 0; k < state_size; ++k)
-            state[k] = b.state[k][l];
-        Vector3 const force{b.fx[l], b.fy[l], b.fz[l]};
-        Vector3 const rolling{b.mx[l], b.my[l], b.mz[l]};
-        // The force acts at the contact point, -arm_i n from i and arm_j n from j.
-        Vector3 const turning = cross({b.nx[l], b.ny[l], b.nz[l]}, force);
-        Load& i = particles_.load[list.first[slot]];
-        i.fx += force.x, i.fy += force.y, i.fz += force.z;
-        i.tx += rolling.x - b.arm_i[l] * turning.x;
-        i.ty += rolling.y - b.arm_i[l] * turning.y;
-        i.tz += rolling.z - b.arm_i[l] * turning.z;
-        if (list.with_wall) {
-            wall_forces_[list.second[slot]] -= force;
-            continue;
-        }
-        Load& j = particles_.load[list.second[slot]];
-        j.fx -= force.x, j.fy -= force.y, j.fz -= force.z;
-        j.tx -= rolling.x + b.arm_j[l] * turning.x;
-        j.ty -= rolling.y + b.arm_j[l] * turning.y;
-        j.tz -= rolling.z + b.arm_j[l] * turning.z;
+            scatter_wall_contacts(block, list, particles_, wall_forces_);
+        else
+            scatter_pairs(block, list, particles_);
     }
 }
 

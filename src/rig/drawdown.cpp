@@ -292,13 +292,14 @@ double slope_angle(observe::SurfaceProfile const& profile, double inner, double 
     return 0.5 * sign * (right.angle_deg() - left.angle_deg());
 }
 
-//! Slope of the mass curve while 20 to 80 % of what will leave is leaving [kg/s].
+//! Slope of the linear part of the mass curve, from 10 to 60 % of what will leave: before it the flow builds up,
+//! after it only the wedges feed the slot [kg/s].
 double mass_flow(std::vector<double> const& time, std::vector<double> const& mass)
 {
     double const full = mass.front(), leaving = mass.front() - mass.back();
     std::vector<double> t, m;
     for (std::size_t k = 0; k < time.size(); ++k)
-        if (mass[k] < full - 0.2 * leaving && mass[k] > full - 0.8 * leaving) {
+        if (mass[k] < full - 0.1 * leaving && mass[k] > full - 0.6 * leaving) {
             t.push_back(time[k]);
             m.push_back(mass[k]);
         }
@@ -353,14 +354,27 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
             result.series.columns[2].push_back(simulation.largest_speed());
         };
         auto const& masses = result.series.columns[1];
+        auto const& speeds = result.series.columns[2];
+        double quiet_since = std::numeric_limits<double>::infinity();
         set_gate(simulation, moving, rig.gate_speed, true);
         stages.run_for("open", 0.5 * rig.slot / rig.gate_speed, observe);
         set_gate(simulation, moving, 0, false);
         stages.run_until(
             "discharge", rig.longest,
             [&] {
-                return masses.back() < rig.end_fraction * total &&
-                       result.series.columns[2].back() < rig.end_speed;
+                if (speeds.back() >= rig.end_speed) {
+                    quiet_since = std::numeric_limits<double>::infinity();
+                    return false;
+                }
+                if (masses.back() < rig.end_fraction * total)
+                    return true;
+                quiet_since = std::min(quiet_since, simulation.time());
+                if (simulation.time() - quiet_since > 0.5)
+                    throw RunFailure(RunStatus::timed_out,
+                                     fmt::format("an arch blocks the slot: nothing moves, and {:.3g} of {:.3g} kg are "
+                                                 "still in the upper box",
+                                                 masses.back(), total));
+                return false;
             },
             observe);
         result.snapshots.push_back(take_snapshot(simulation, "final"));

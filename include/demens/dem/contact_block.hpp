@@ -13,6 +13,9 @@ struct alignas(64) ContactBlock
     static constexpr int max_state = 12;
     using Lane = double[lanes];
 
+    //! Lanes that are computed for so many contacts: whole registers.
+    static constexpr int padded(int contacts) { return (contacts + 7) / 8 * 8; }
+
     int count = 0;
     std::uint32_t slot[lanes]; //!< place in the contact list
 
@@ -34,9 +37,10 @@ struct alignas(64) ContactBlock
     // Results
     Lane fx, fy, fz; //!< force on i [N]
     Lane mx, my, mz; //!< rolling torque on i [N m]
+    Lane tix, tiy, tiz, tjx, tjy, tjz; //!< torques on i and j [N m]
 };
 
-//! Doubles of history per contact that a law set needs, and how many of them are scalars.
+//! Doubles of history per contact that a law set needs, in whole fours, and how many of them are scalars.
 struct StateLayout
 {
     int scalars, size;
@@ -45,7 +49,7 @@ StateLayout state_layout(contact::LawSet const& laws);
 
 //! Fills the derived quantities. Returns the largest overlap over the smaller radius of the two bodies.
 double derive_geometry(ContactBlock& block, bool with_wall);
-//! Evaluates the laws: forces, rolling torques and the new history of all lanes.
+//! Evaluates the laws: forces, torques and the new history of all lanes.
 void evaluate_laws(ContactBlock& block, contact::LawSet const& laws, double time_step);
 
 } // namespace demens::dem

@@ -77,9 +77,6 @@ class Simulation
     void rebuild_if_needed();
     void compute_loads();
     void compute_contacts(ContactList& list);
-    void prefetch(ContactList const& list, std::uint32_t const* slot, std::uint32_t const* end) const;
-    void gather(ContactBlock& block, ContactList const& list) const;
-    void scatter(ContactBlock const& block, ContactList& list);
 
     SimulationOptions options_;
     std::vector<contact::Material> materials_;

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "demens/dem/contact_block.hpp"
+#include "demens/dem/contact_list.hpp"
+#include "demens/dem/particles.hpp"
+#include "demens/dem/wall.hpp"
+
+namespace demens::dem {
+
+// Between the records of bodies and histories and the lanes of a block. `block.slot` and `block.count` say which
+// contacts.
+
+//! Asks for the records of contacts [slot, end) that the next block will gather.
+void prefetch_contacts(ContactList const& list, std::uint32_t const* slot, std::uint32_t const* end,
+                       Particles const& particles);
+//! Reads the bodies and histories of contacts among particles.
+void gather_pairs(ContactBlock& block, ContactList const& list, Particles const& particles);
+//! The same for contacts with walls.
+void gather_wall_contacts(ContactBlock& block, ContactList const& list, Particles const& particles,
+                          std::vector<Wall> const& walls);
+//! Writes the histories and adds the loads of contacts among particles, in the order of their slots.
+void scatter_pairs(ContactBlock const& block, ContactList& list, Particles& particles);
+//! The same for contacts with walls.
+void scatter_wall_contacts(ContactBlock const& block, ContactList& list, Particles& particles,
+                           std::vector<Vector3>& wall_forces);
+
+} // namespace demens::dem

@@ -1,0 +1,151 @@
+// Neighbour lists against all pairs, and histories across rebuilds.
+#include "demens/base/random.hpp"
+#include "demens/dem/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <utility>
+
+namespace {
+
+using namespace demens;
+
+dem::Particles random_particles(std::size_t count, double side, std::uint64_t seed)
+{
+    RandomStream random(seed);
+    dem::Particles particles;
+    for (std::size_t k = 0; k < count; ++k) {
+        particles.place.push_back({random.uniform(0, side), random.uniform(0, side), random.uniform(0, side),
+                                   random.uniform(0.3, 1.0)});
+        particles.motion.push_back({0, 0, 0, 1, 0, 0, 0, 1});
+        particles.load.push_back({});
+        particles.material.push_back(static_cast<std::uint32_t>(k % 2));
+        particles.id.push_back(static_cast<std::uint32_t>(k));
+    }
+    return particles;
+}
+
+//! Four law sets for two materials, each with histories of one scalar and one vector; with walls the same again.
+std::vector<dem::ContactList> empty_lists()
+{
+    std::vector<dem::ContactList> lists;
+    for (bool const with_wall : {false, true})
+        for (std::uint32_t k = 0; k < 4; ++k)
+            lists.push_back({.interaction = k, .with_wall = with_wall, .state_size = 4, .state_scalars = 1});
+    return lists;
+}
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+TEST(Neighbours, ListsHoldEachNearPairOnceUnderItsMaterials)
+{
+    double const skin = 0.2;
+    for (std::size_t const count : {0, 1, 2, 40, 500}) {
+        auto particles = random_particles(count, 10, count);
+        auto lists = empty_lists();
+        dem::NeighbourSearch search(2, {0, 1, 2, 3});
+        search.rebuild(particles, {}, skin, lists);
+
+        std::set<Pair> found;
+        for (std::size_t k = 0; k < 4; ++k)
+            for (std::size_t s = 0; s < lists[k].size(); ++s) {
+                std::uint32_t const i = lists[k].first[s], j = lists[k].second[s];
+                EXPECT_EQ(k, particles.material[i] * 2 + particles.material[j]);
+                EXPECT_TRUE(found.insert(std::minmax(particles.id[i], particles.id[j])).second);
+            }
+        std::set<Pair> expected;
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                auto const &a = particles.place[i], &b = particles.place[j];
+                if (std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) < a.radius + b.radius + skin)
+                    expected.insert(std::minmax(particles.id[i], particles.id[j]));
+            }
+        EXPECT_EQ(found, expected) << count;
+    }
+}
+
+TEST(Neighbours, HistoriesFollowTheirPairsAndTurnWithThem)
+{
+    auto particles = random_particles(300, 8, 5);
+    auto lists = empty_lists();
+    dem::NeighbourSearch search(2, {0, 1, 2, 3});
+    search.rebuild(particles, {}, 0.2, lists);
+    // Give every pair a history that tells who it is: scalar symmetric, vector from the first id to the second.
+    auto const mark = [&](dem::ContactList const& list, std::size_t s) {
+        double const a = particles.id[list.first[s]], b = particles.id[list.second[s]];
+        return std::array{a + 1000 * b + b + 1000 * a, a - b, 2 * (a - b), a * a - b * b};
+    };
+    for (auto& list : lists)
+        for (std::size_t s = 0; s < list.size(); ++s) {
+            list.touching[s] = 1;
+            auto const state = mark(list, s);
+            std::copy(state.begin(), state.end(), list.state.begin() + static_cast<std::ptrdiff_t>(4 * s));
+        }
+    // Mirrored positions have the same neighbours but another order.
+    for (auto& p : particles.place)
+        p.x = 8 - p.x, p.z = 8 - p.z;
+    search.rebuild(particles, {}, 0.2, lists);
+    std::size_t checked = 0;
+    for (auto const& list : lists)
+        for (std::size_t s = 0; s < list.size(); ++s, ++checked) {
+            EXPECT_EQ(list.touching[s], 1);
+            auto const state = mark(list, s);
+            for (std::size_t c = 0; c < 4; ++c)
+                EXPECT_EQ(list.state[4 * s + c], state[c]);
+        }
+    EXPECT_GT(checked, 500u);
+}
+
+TEST(Neighbours, WallsListTheParticlesWithinReach)
+{
+    auto particles = random_particles(200, 6, 9);
+    auto lists = empty_lists();
+    std::vector<dem::Wall> const walls = {
+        {.centre = {3, 3, 1}, .axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}, .half_u = 1, .half_v = 2, .material = 1},
+        {.centre = {3, 3, 1}, .axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}, .half_u = 9, .half_v = 9, .active = false}};
+    dem::NeighbourSearch search(2, {0, 1, 2, 3});
+    search.rebuild(particles, walls, 0.1, lists);
+    std::size_t found = 0, expected = 0;
+    for (std::size_t k = 4; k < 8; ++k) {
+        found += lists[k].size();
+        for (auto const wall : lists[k].second)
+            EXPECT_EQ(wall, 0u);
+    }
+    for (auto const& p : particles.place) {
+        double const dx = std::max(0.0, std::abs(p.x - 3) - 1), dy = std::max(0.0, std::abs(p.y - 3) - 2);
+        expected += std::hypot(dx, dy, p.z - 1) < p.radius + 0.1;
+    }
+    EXPECT_EQ(found, expected);
+    EXPECT_GT(found, 5u);
+}
+
+//! Two runs that differ only in the skin rebuild at different times and must still move alike.
+TEST(Neighbours, MotionDoesNotDependOnTheSkin)
+{
+    auto const run = [](double skin) {
+        contact::PairProperties pair{.first = "a", .second = "a"};
+        pair.rolling = contact::RollingLaw::epsd2;
+        pair.rolling_friction = 0.1;
+        dem::Simulation simulation({{{"a", 2500, 1e7, 0.3}}, {pair}}, {.time_step = 2e-5, .skin = skin});
+        RandomStream random(1);
+        for (int k = 0; k < 60; ++k)
+            simulation.add_particle({0.02 * (k % 4) + 1e-3 * random.uniform(), 0.02 * (k / 4 % 4) + 1e-3 * random.uniform(),
+                                     0.011 + 0.021 * (k / 16)},
+                                    0.0095, 0);
+        simulation.add_wall({.centre = {}, .axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}, .half_u = 1, .half_v = 1});
+        simulation.steps(8000);
+        std::vector<Vector3> places(60);
+        for (std::size_t k = 0; k < 60; ++k)
+            places[simulation.particles().id[k]] = {simulation.particles().place[k].x, simulation.particles().place[k].y,
+                                                    simulation.particles().place[k].z};
+        return places;
+    };
+    auto const often = run(2e-4), seldom = run(6e-3);
+    // Sums of forces run in another order, so that rounding differs; chaos has not had time to grow.
+    for (std::size_t k = 0; k < often.size(); ++k)
+        EXPECT_LT(norm(often[k] - seldom[k]), 1e-7) << k;
+}
+
+} // namespace
