@@ -261,11 +261,15 @@ void fill(dem::Simulation& simulation, StageRunner& stages, Drawdown const& rig,
         simulation.set_wall(moving.lid, lid);
         stages.run_until("level", 5, rests);
     }
-    simulation.set_model(rig.model);
+    // Without the lid the bed relaxes while friction is still low; else it would keep the lid's pressure between the
+    // sides and arch over the slot.
     dem::Wall lid = simulation.walls()[moving.lid];
     lid.active = false;
     simulation.set_wall(moving.lid, lid);
     stages.run_for("settle", 0.05);
+    stages.run_until("settle", 5, rests);
+    simulation.set_model(rig.model);
+    stages.run_for("settle", 0.02);
     stages.run_until("settle", 5, rests);
 }
 
