@@ -184,6 +184,8 @@ NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment)
                 {},
                 {},
                 "the design is done, and without targets there is nothing to search"};
+    if (campaign.input.stop.waves == 0)
+        return {NextStep::Kind::finish, {}, {}, "the design is done, and no wave shall search (stop.waves = 0)"};
     if (!assessment.fitted())
         return more_design(campaign, assessment, budget);
 
