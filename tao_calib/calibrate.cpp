@@ -27,8 +27,8 @@ bool has_runs_left(ensemble::Campaign const& campaign)
 //! Whether the runs sufficed to calibrate what there was to calibrate.
 bool calibrated(ensemble::Campaign const& campaign)
 {
-    if (Objective(campaign.input).size() == 0)
-        return true;
+    if (Objective(campaign.input).size() == 0 || campaign.input.stop.waves == 0)
+        return true; // the design alone was asked for
     return std::any_of(campaign.waves.begin(), campaign.waves.end(), [](auto const& wave) {
         return std::any_of(wave.analysis.begin(), wave.analysis.end(),
                            [](auto const& array) { return array.path == "optimum/predicted_point"; });

@@ -15,7 +15,7 @@ contact::PairProperties pair(std::string a, std::string b)
 {
     contact::PairProperties p{.first = std::move(a), .second = std::move(b)};
     p.restitution = 0.37;
-    p.static_friction = p.kinetic_friction = 0.5;
+    p.static_friction = p.kinetic_friction = 0.3;
     p.rolling_friction = 0.1;
     p.normal = contact::NormalLaw::hysteretic_spring;
     p.tangential = contact::TangentialLaw::linear_coulomb;
@@ -23,7 +23,7 @@ contact::PairProperties pair(std::string a, std::string b)
     return p;
 }
 
-//! A small, soft draw down test: about 120 spheres.
+//! A small, soft draw down test: about 240 spheres.
 rig::RunInput small_drawdown(std::uint64_t seed)
 {
     rig::RunInput input;
@@ -36,13 +36,13 @@ rig::RunInput small_drawdown(std::uint64_t seed)
     options.set("wall_material", std::string("wood"));
     options.set("window_material", std::string("glass"));
     options.set("size_distribution", std::string("gravel"));
-    options.set("mass_kg", 1.3);
+    options.set("mass_kg", 2.6);
     options.set("bulk_density", 1500.0);
-    options.set("box_width_mm", 200.0);
-    options.set("box_depth_mm", 30.0);
-    options.set("slot_width_mm", 80.0);
+    options.set("box_width_mm", 240.0);
+    options.set("box_depth_mm", 60.0);
+    options.set("slot_width_mm", 110.0);
     options.set("drop_height_mm", 200.0);
-    options.set("lower_box_width_mm", 250.0);
+    options.set("lower_box_width_mm", 270.0);
     input.seed = seed;
     return input;
 }
@@ -71,11 +71,11 @@ TEST(Drawdown, EmptiesThroughTheSlotAndLeavesTwoWedges)
     EXPECT_GT(result.responses[0], 5);
     EXPECT_LT(result.responses[0], 45);
     EXPECT_GT(result.responses[2], 0.3);
-    EXPECT_LT(result.responses[3], 0.75 * 1.3);
+    EXPECT_LT(result.responses[3], 0.75 * 2.6);
     EXPECT_NEAR(result.responses[4], 1500, 100);
     // Mass only leaves: the curve falls from all to what stays.
     auto const& mass = result.series.columns[1];
-    EXPECT_NEAR(mass.front(), 1.3, 0.02);
+    EXPECT_NEAR(mass.front(), 2.6, 0.02);
     EXPECT_DOUBLE_EQ(mass.back(), result.responses[3]);
     ASSERT_EQ(result.snapshots.size(), 2u);
     EXPECT_EQ(result.snapshots[0].x.size(), static_cast<std::size_t>(result.particles));
@@ -127,10 +127,10 @@ TEST(Drawdown, AnArchOverANarrowSlotIsAFailedRun)
 
 TEST(Drawdown, RefusesWhatCannotBeRun)
 {
-    EXPECT_EQ(refusal("mass_kg", 1.3), "");
+    EXPECT_EQ(refusal("mass_kg", 2.6), "");
     EXPECT_NE(refusal("slot_width_mm", 250).find("slot_width_mm = 250"), std::string::npos);
     EXPECT_NE(refusal("box_depth_mm", 20).find("no room for the particles"), std::string::npos);
-    EXPECT_NE(refusal("mass_kg", 20).find("lower box"), std::string::npos);
+    EXPECT_NE(refusal("mass_kg", 40).find("lower box"), std::string::npos);
     EXPECT_NE(refusal("bulk_density", 2000).find("cannot be reached"), std::string::npos);
     EXPECT_NE(refusal("time_step_s", 1e-2).find("1/20 of the shortest contact time"), std::string::npos);
     auto input = small_drawdown(1);

@@ -115,6 +115,15 @@ TEST(WavePlan, EndsWithinToleranceAfterAConfirmation)
               std::vector<double>{stand_in.stored("optimum/best_point").front()});
 }
 
+TEST(WavePlan, RunsTheDesignAloneWhereNoWaveShallSearch)
+{
+    auto stand_in = line();
+    stand_in.campaign.input.stop.waves = 0;
+    stand_in.run_to_the_end();
+    EXPECT_EQ(purposes(stand_in.campaign), (std::vector<std::string>{"design"}));
+    EXPECT_EQ(stand_in.last_step.kind, NextStep::Kind::finish);
+}
+
 TEST(WavePlan, EndsWithoutAConfirmationWhereNoneIsAskedFor)
 {
     auto stand_in = line();
