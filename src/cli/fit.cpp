@@ -9,8 +9,8 @@ namespace demens::cli {
 void add_fit(CLI::App& program, Action& action)
 {
     auto file = std::make_shared<std::string>();
-    auto* command =
-        program.add_subcommand("fit", "regression, optimum and admissible region from a table of any program's results");
+    auto* command = program.add_subcommand(
+        "fit", "regression, optimum and admissible region from a table of any program's results");
     command->add_option("FILE.toml", *file, "names the table, its factors and its responses")->required();
     command->callback([file, &action] {
         action = [file] {

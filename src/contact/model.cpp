@@ -25,9 +25,17 @@ Law law_of(std::vector<std::string> const& names, std::string const& name)
 std::vector<OptionSpec> const& material_options()
 {
     static std::vector<OptionSpec> const specs = {
-        {.key = "density", .default_value = 2500.0, .doc = "density [kg/m^3]", .required = true, .lower = 1e-3},
+        {.key = "density",
+         .default_value = 2500.0,
+         .doc = "density [kg/m^3]",
+         .required = true,
+         .lower = 1e-3},
         {.key = "youngs_modulus", .default_value = 1e7, .doc = "Young's modulus [Pa]", .lower = 1.0},
-        {.key = "poisson_ratio", .default_value = 0.3, .doc = "Poisson's ratio [-]", .lower = 0.0, .upper = 0.499},
+        {.key = "poisson_ratio",
+         .default_value = 0.3,
+         .doc = "Poisson's ratio [-]",
+         .lower = 0.0,
+         .upper = 0.499},
     };
     return specs;
 }
@@ -35,12 +43,18 @@ std::vector<OptionSpec> const& material_options()
 std::vector<OptionSpec> const& pair_options()
 {
     static std::vector<OptionSpec> const specs = {
-        {.key = "normal", .default_value = std::string("hertz"), .doc = "normal force law", .choices = normal_names},
+        {.key = "normal",
+         .default_value = std::string("hertz"),
+         .doc = "normal force law",
+         .choices = normal_names},
         {.key = "tangential",
          .default_value = std::string("mindlin_rescale"),
          .doc = "tangential force law",
          .choices = tangential_names},
-        {.key = "rolling", .default_value = std::string("none"), .doc = "rolling resistance law", .choices = rolling_names},
+        {.key = "rolling",
+         .default_value = std::string("none"),
+         .doc = "rolling resistance law",
+         .choices = rolling_names},
         {.key = "restitution",
          .default_value = 0.5,
          .doc = "coefficient of restitution [-]",
@@ -56,7 +70,10 @@ std::vector<OptionSpec> const& pair_options()
          .default_value = -1.0,
          .doc = "coefficient of kinetic friction [-], at most the static one; -1: the same as the static one",
          .lower = 0.0},
-        {.key = "rolling_friction", .default_value = 0.0, .doc = "coefficient of rolling friction [-]", .lower = 0.0},
+        {.key = "rolling_friction",
+         .default_value = 0.0,
+         .doc = "coefficient of rolling friction [-]",
+         .lower = 0.0},
         {.key = "rolling_damping",
          .default_value = 0.0,
          .doc = "share of critical rolling damping of `epsd` [-]",
@@ -100,10 +117,11 @@ PairProperties make_pair(std::string first, std::string second, OptionValues con
     pair.minimum_unloading_fraction = values.number("minimum_unloading_fraction");
     pair.allow_attraction = values.flag("allow_attraction");
     if (pair.kinetic_friction > pair.static_friction)
-        throw InputError("contact." + pair.first + "_" + pair.second + ": kinetic_friction " +
-                         std::to_string(pair.kinetic_friction) + " is above static_friction " +
-                         std::to_string(pair.static_friction) +
-                         "; a sliding contact cannot resist more than a sticking one: give kinetic <= static");
+        throw InputError(
+            "contact." + pair.first + "_" + pair.second + ": kinetic_friction " +
+            std::to_string(pair.kinetic_friction) + " is above static_friction " +
+            std::to_string(pair.static_friction) +
+            "; a sliding contact cannot resist more than a sticking one: give kinetic <= static");
     return pair;
 }
 

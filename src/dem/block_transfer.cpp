@@ -6,7 +6,10 @@ namespace demens::dem {
 namespace {
 
 //! Slot of lane l; lanes past the last contact repeat it.
-DEMENS_INLINE std::uint32_t slot_of(ContactBlock const& b, int l) { return b.slot[l < b.count ? l : b.count - 1]; }
+DEMENS_INLINE std::uint32_t slot_of(ContactBlock const& b, int l)
+{
+    return b.slot[l < b.count ? l : b.count - 1];
+}
 
 //! Lanes l to l + 3 of four arrays get the numbers of four records each.
 DEMENS_INLINE void spread(Four r0, Four r1, Four r2, Four r3, double* a, double* b, double* c, double* d)
@@ -21,8 +24,9 @@ DEMENS_INLINE void load_history(ContactBlock& b, int l, double const* state, std
     for (int k = 0; k < 4; ++k)
         record[k] = state + slot_of(b, l + k) * stride;
     for (std::size_t c = 0; c < stride; c += 4)
-        spread(load_four(record[0] + c), load_four(record[1] + c), load_four(record[2] + c), load_four(record[3] + c),
-               b.state[c] + l, b.state[c + 1] + l, b.state[c + 2] + l, b.state[c + 3] + l);
+        spread(load_four(record[0] + c), load_four(record[1] + c), load_four(record[2] + c),
+               load_four(record[3] + c), b.state[c] + l, b.state[c + 1] + l, b.state[c + 2] + l,
+               b.state[c + 3] + l);
 }
 
 DEMENS_INLINE void store_history(ContactBlock const& b, int l, int count, double* state, std::size_t stride)
@@ -55,8 +59,14 @@ DEMENS_INLINE LoadRows load_rows(ContactBlock const& b, int l)
     return rows;
 }
 
-DEMENS_INLINE void add_to(double* sum, Four const& row) { store_four(sum, load_four(sum) + row); }
-DEMENS_INLINE void subtract_from(double* sum, Four const& row) { store_four(sum, load_four(sum) - row); }
+DEMENS_INLINE void add_to(double* sum, Four const& row)
+{
+    store_four(sum, load_four(sum) + row);
+}
+DEMENS_INLINE void subtract_from(double* sum, Four const& row)
+{
+    store_four(sum, load_four(sum) - row);
+}
 
 DEMENS_MULTIVERSION void gather_pairs_into(ContactBlock& b, ContactList const& list, Place const* places,
                                            Motion const* motions)
@@ -71,7 +81,8 @@ DEMENS_MULTIVERSION void gather_pairs_into(ContactBlock& b, ContactList const& l
             place_i[k] = load_four(&places[i].x), place_j[k] = load_four(&places[j].x);
             motion_i[k] = load_four(&motions[i].vx), motion_j[k] = load_four(&motions[j].vx);
             spin_i[k] = load_four(&motions[i].wx), spin_j[k] = load_four(&motions[j].wx);
-            // The fourth number of each record, radius or mass, travels in the place of a difference not needed.
+            // The fourth number of each record, radius or mass, travels in the place of a difference not
+            // needed.
             apart[k] = __builtin_shuffle(place_i[k] - place_j[k], place_i[k], FourMask{0, 1, 2, 7});
             faster[k] = __builtin_shuffle(motion_i[k] - motion_j[k], motion_i[k], FourMask{0, 1, 2, 7});
             spin_i[k] = __builtin_shuffle(spin_i[k], place_j[k], FourMask{0, 1, 2, 7});

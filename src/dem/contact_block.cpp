@@ -4,8 +4,8 @@ namespace demens::dem {
 namespace {
 
 using contact::ContactKinematics;
-using contact::NormalResponse;
 using contact::NoLaw;
+using contact::NormalResponse;
 constexpr int lanes = ContactBlock::lanes;
 
 //! What the formulas read, from lane l.
@@ -164,7 +164,8 @@ namespace {
 template <bool with_wall>
 DEMENS_MULTIVERSION double geometry_stage(ContactBlock& b)
 {
-    // A wall is flat and cannot be moved: it adds neither curvature nor mass, and its point of contact is its own.
+    // A wall is flat and cannot be moved: it adds neither curvature nor mass, and its point of contact is its
+    // own.
     constexpr double partner = with_wall ? 0.0 : 1.0;
     double largest[lanes];
     int const padded = ContactBlock::padded(b.count);
@@ -175,8 +176,8 @@ DEMENS_MULTIVERSION double geometry_stage(ContactBlock& b)
         double const nx = b.dx[l] * inverse, ny = b.dy[l] * inverse, nz = b.dz[l] * inverse;
         double const ri = b.radius_i[l], rj = b.radius_j[l];
         double const overlap = ri + partner * rj - distance;
-        // Two spheres share the overlap, which keeps angular momentum; on a wall the arm is the radius, as in the
-        // closed forms of rolling and oblique impact.
+        // Two spheres share the overlap, which keeps angular momentum; on a wall the arm is the radius, as in
+        // the closed forms of rolling and oblique impact.
         double const arm_i = with_wall ? ri : ri - 0.5 * overlap;
         double const arm_j = partner * (rj - 0.5 * overlap);
         // Relative velocity of the two surfaces at the contact point.

@@ -36,10 +36,12 @@ NeighbourSearch::Grid NeighbourSearch::make_grid(Particles const& particles, dou
     auto const cells_along = [&](double extent) { return 1 + std::floor(extent / cell); };
     // Far-flung particles must not make a huge empty grid: larger cells find the same pairs.
     double const most = 8.0 * static_cast<double>(particles.size()) + 4096;
-    while (cells_along(upper.x - lower.x) * cells_along(upper.y - lower.y) * cells_along(upper.z - lower.z) > most)
+    while (cells_along(upper.x - lower.x) * cells_along(upper.y - lower.y) * cells_along(upper.z - lower.z) >
+           most)
         cell *= 1.5;
     return {lower, 1 / cell, static_cast<int>(cells_along(upper.x - lower.x)),
-            static_cast<int>(cells_along(upper.y - lower.y)), static_cast<int>(cells_along(upper.z - lower.z))};
+            static_cast<int>(cells_along(upper.y - lower.y)),
+            static_cast<int>(cells_along(upper.z - lower.z))};
 }
 
 void NeighbourSearch::sort_into_cells(Particles& particles, Grid const& grid)
@@ -82,8 +84,8 @@ void NeighbourSearch::sort_into_cells(Particles& particles, Grid const& grid)
 
 void NeighbourSearch::index_old_contacts(std::size_t particles, std::vector<ContactList> const& lists)
 {
-    // Every touching contact is filed under the particle that will come first in its pair; wall contacts under the
-    // particle.
+    // Every touching contact is filed under the particle that will come first in its pair; wall contacts
+    // under the particle.
     old_start_.assign(particles + 1, 0);
     auto const for_each_touching = [&](auto&& visit) {
         for (std::uint32_t k = 0; k < lists.size(); ++k)
@@ -137,8 +139,8 @@ void NeighbourSearch::find_pairs(Particles const& particles, Grid const& grid, d
                 add_pair(lists[row[particles.material[j]]], i, j);
         }
     };
-    // Cells along x follow one another, so a row of three cells is one range of particles. The forward half of the
-    // neighbourhood is the rest of the own row and four more rows.
+    // Cells along x follow one another, so a row of three cells is one range of particles. The forward half
+    // of the neighbourhood is the rest of the own row and four more rows.
     std::uint32_t i = 0;
     for (int cz = 0; cz < grid.nz; ++cz)
         for (int cy = 0; cy < grid.ny; ++cy)
@@ -167,8 +169,8 @@ void NeighbourSearch::find_pairs(Particles const& particles, Grid const& grid, d
             }
 }
 
-void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector<Wall> const& walls, double skin,
-                                         std::vector<ContactList>& lists)
+void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector<Wall> const& walls,
+                                         double skin, std::vector<ContactList>& lists)
 {
     std::size_t const pair_lists = lists.size() / 2;
     for (std::uint32_t w = 0; w < walls.size(); ++w) {
@@ -183,7 +185,8 @@ void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector
             if (std::abs(dot(position - wall.centre, normal)) >= reach)
                 continue;
             if (norm_squared(position - wall.nearest(position)) < reach * reach)
-                add_pair(lists[pair_lists + interaction_[particles.material[i] * materials_ + wall.material]], i, w);
+                add_pair(lists[pair_lists + interaction_[particles.material[i] * materials_ + wall.material]],
+                         i, w);
         }
     }
 }

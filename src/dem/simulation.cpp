@@ -27,12 +27,13 @@ void Simulation::make_law_sets(contact::Model const& model)
         auto const found = std::find_if(materials_.begin(), materials_.end(),
                                         [&](contact::Material const& m) { return m.name == name; });
         if (found == materials_.end())
-            throw InputError("a contact names the material \"" + name + "\", which is not among the materials");
+            throw InputError("a contact names the material \"" + name +
+                             "\", which is not among the materials");
         return static_cast<std::size_t>(found - materials_.begin());
     };
     std::vector<ContactList> lists;
-    // A law may treat its two bodies differently (each has its own modulus), so unlike materials get a law set for
-    // either order.
+    // A law may treat its two bodies differently (each has its own modulus), so unlike materials get a law
+    // set for either order.
     auto const add = [&](std::size_t a, std::size_t b, contact::PairProperties const& pair) {
         auto const number = static_cast<std::uint32_t>(laws_.size());
         interaction_[a * materials_.size() + b] = number;
@@ -55,12 +56,16 @@ void Simulation::make_law_sets(contact::Model const& model)
         }
 }
 
-void Simulation::set_model(contact::Model const& model) { make_law_sets(model); }
+void Simulation::set_model(contact::Model const& model)
+{
+    make_law_sets(model);
+}
 
 std::uint32_t Simulation::add_particle(Vector3 const& position, double radius, std::uint32_t material,
                                        Vector3 const& velocity, Vector3 const& spin)
 {
-    double const mass = materials_[material].density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+    double const mass =
+        materials_[material].density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
     auto const id = static_cast<std::uint32_t>(particles_.size());
     particles_.place.push_back({position.x, position.y, position.z, radius});
     particles_.motion.push_back(
@@ -125,10 +130,11 @@ DEMENS_MULTIVERSION double move_particles(Place* place, Motion* motion, Load con
     return fastest;
 }
 
-//! Compacts the slots of pairs that touch, and of those that touched before and no longer do. Returns both counts.
+//! Compacts the slots of pairs that touch, and of those that touched before and no longer do. Returns both
+//! counts.
 DEMENS_MULTIVERSION std::pair<std::size_t, std::size_t>
-test_pairs(Place const* place, std::uint32_t const* first, std::uint32_t const* second, std::uint8_t* touching,
-           std::size_t count, std::uint32_t* now, std::uint32_t* parted)
+test_pairs(Place const* place, std::uint32_t const* first, std::uint32_t const* second,
+           std::uint8_t* touching, std::size_t count, std::uint32_t* now, std::uint32_t* parted)
 {
     std::size_t n = 0, m = 0;
     for (std::size_t s = 0; s < count; ++s) {
@@ -153,9 +159,9 @@ void Simulation::move()
     double const dt = options_.time_step;
     double const kick = first_step_ ? 0.5 * dt : dt;
     first_step_ = false;
-    double const fastest = std::sqrt(move_particles(particles_.place.data(), particles_.motion.data(),
-                                                    particles_.load.data(), particles_.size(), kick, dt,
-                                                    options_.gravity));
+    double const fastest =
+        std::sqrt(move_particles(particles_.place.data(), particles_.motion.data(), particles_.load.data(),
+                                 particles_.size(), kick, dt, options_.gravity));
     double fastest_wall = 0;
     for (Wall& wall : walls_)
         if (wall.active) {
@@ -227,8 +233,8 @@ void Simulation::compute_contacts(ContactList& list)
     for (std::size_t from = 0; from < now; from += lanes) {
         block.count = static_cast<int>(std::min(lanes, now - from));
         std::copy_n(touching_.data() + from, block.count, block.slot);
-        prefetch_contacts(list, touching_.data() + from + lanes, touching_.data() + std::min(now, from + 2 * lanes),
-                          particles_);
+        prefetch_contacts(list, touching_.data() + from + lanes,
+                          touching_.data() + std::min(now, from + 2 * lanes), particles_);
         if (list.with_wall)
             gather_wall_contacts(block, list, particles_, walls_);
         else
@@ -307,8 +313,14 @@ std::size_t count_touching(std::vector<ContactList> const& lists, bool with_wall
 
 } // namespace
 
-std::size_t Simulation::particle_contacts() const { return count_touching(lists_, false); }
-std::size_t Simulation::wall_contacts() const { return count_touching(lists_, true); }
+std::size_t Simulation::particle_contacts() const
+{
+    return count_touching(lists_, false);
+}
+std::size_t Simulation::wall_contacts() const
+{
+    return count_touching(lists_, true);
+}
 
 double rayleigh_time(double radius, contact::Material const& material)
 {

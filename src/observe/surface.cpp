@@ -6,8 +6,8 @@
 
 namespace demens::observe {
 
-SurfaceProfile surface_profile(dem::Particles const& particles, double from_x, double to_x, int points, double empty,
-                               std::function<bool(dem::Place const&)> const& select)
+SurfaceProfile surface_profile(dem::Particles const& particles, double from_x, double to_x, int points,
+                               double empty, std::function<bool(dem::Place const&)> const& select)
 {
     SurfaceProfile profile{{}, std::vector<double>(static_cast<std::size_t>(points), empty), empty};
     double const step = (to_x - from_x) / points;
@@ -17,7 +17,8 @@ SurfaceProfile surface_profile(dem::Particles const& particles, double from_x, d
         if (!select(p))
             continue;
         int const first = std::max(0, static_cast<int>(std::ceil((p.x - p.radius - from_x) / step - 0.5)));
-        int const last = std::min(points - 1, static_cast<int>(std::floor((p.x + p.radius - from_x) / step - 0.5)));
+        int const last =
+            std::min(points - 1, static_cast<int>(std::floor((p.x + p.radius - from_x) / step - 0.5)));
         for (int k = first; k <= last; ++k) {
             double const dx = profile.x[static_cast<std::size_t>(k)] - p.x;
             double const top = p.z + std::sqrt(std::max(0.0, p.radius * p.radius - dx * dx));
@@ -28,7 +29,10 @@ SurfaceProfile surface_profile(dem::Particles const& particles, double from_x, d
     return profile;
 }
 
-double Line::angle_deg() const { return std::atan(slope) * 180 / std::numbers::pi; }
+double Line::angle_deg() const
+{
+    return std::atan(slope) * 180 / std::numbers::pi;
+}
 
 Line fit_line(std::vector<double> const& x, std::vector<double> const& y)
 {

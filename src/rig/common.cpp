@@ -19,12 +19,14 @@ std::uint32_t material_index(contact::Model const& model, std::string const& nam
     throw InputError(fmt::format("there is no [material.{}]", name));
 }
 
-contact::PairProperties const& require_pair(contact::Model const& model, std::string const& a, std::string const& b)
+contact::PairProperties const& require_pair(contact::Model const& model, std::string const& a,
+                                            std::string const& b)
 {
     for (auto const& pair : model.pairs)
         if ((pair.first == a && pair.second == b) || (pair.first == b && pair.second == a))
             return pair;
-    throw InputError(fmt::format("{0} meets {1}, but there is no table [contact.{0}_{1}] with their coefficients", a, b));
+    throw InputError(
+        fmt::format("{0} meets {1}, but there is no table [contact.{0}_{1}] with their coefficients", a, b));
 }
 
 std::vector<OptionSpec> time_step_options()
@@ -42,8 +44,8 @@ std::vector<OptionSpec> time_step_options()
     };
 }
 
-TimeStepLimit time_step_limit(contact::Model const& model, std::string const& material, double smallest_diameter,
-                              double rayleigh_fraction)
+TimeStepLimit time_step_limit(contact::Model const& model, std::string const& material,
+                              double smallest_diameter, double rayleigh_fraction)
 {
     auto const& particle = model.materials[material_index(model, material)];
     double const rayleigh = dem::rayleigh_time(0.5 * smallest_diameter, particle);
@@ -56,14 +58,16 @@ TimeStepLimit time_step_limit(contact::Model const& model, std::string const& ma
             (pair.first != material && pair.second != material))
             continue;
         bool const among_particles = pair.first == material && pair.second == material;
-        auto const& other = model.materials[material_index(model, pair.first == material ? pair.second : pair.first)];
+        auto const& other =
+            model.materials[material_index(model, pair.first == material ? pair.second : pair.first)];
         double const k_i = particle.youngs_modulus * smallest_diameter;
         double const k_j = other.youngs_modulus * smallest_diameter;
         double const stiffness = k_i * k_j / (k_i + k_j);
-        double const contact_time = std::numbers::pi * std::sqrt((among_particles ? 0.5 * mass : mass) / stiffness);
+        double const contact_time =
+            std::numbers::pi * std::sqrt((among_particles ? 0.5 * mass : mass) / stiffness);
         if (contact_time / 20 < limit.time_step)
-            limit = {contact_time / 20, fmt::format("1/20 of the shortest contact time {:.3g} s of {} on {}", contact_time,
-                                                    pair.first, pair.second)};
+            limit = {contact_time / 20, fmt::format("1/20 of the shortest contact time {:.3g} s of {} on {}",
+                                                    contact_time, pair.first, pair.second)};
     }
     return limit;
 }
@@ -75,9 +79,10 @@ double chosen_time_step(OptionValues const& options, contact::Model const& model
         time_step_limit(model, material, smallest_diameter, options.number("rayleigh_fraction"));
     double const asked = options.number("time_step_s");
     if (asked > limit.time_step * (1 + 1e-9))
-        throw InputError(fmt::format("time_step_s = {:.4g} is over the limit {:.4g} s, which is {}; give a smaller time "
-                                     "step, or 0 to take the limit",
-                                     asked, limit.time_step, limit.reason));
+        throw InputError(
+            fmt::format("time_step_s = {:.4g} is over the limit {:.4g} s, which is {}; give a smaller time "
+                        "step, or 0 to take the limit",
+                        asked, limit.time_step, limit.reason));
     return asked > 0 ? asked : limit.time_step;
 }
 

@@ -16,8 +16,8 @@
 namespace demens::rig {
 namespace {
 
-//! The options as numbers in SI units. The origin is the middle of the slot on the floor of the upper box: x across
-//! the slot, y along it, z up.
+//! The options as numbers in SI units. The origin is the middle of the slot on the floor of the upper box: x
+//! across the slot, y along it, z up.
 struct Drawdown
 {
     explicit Drawdown(RunInput const& input);
@@ -27,7 +27,7 @@ struct Drawdown
     contact::Model model, filling_model;
     shape::SizeDistribution const& sizes;
     std::string material, wood, glass;
-    double mass, density, bulk_density;          // [kg], [kg/m^3]
+    double mass, density, bulk_density;           // [kg], [kg/m^3]
     double width, depth, slot, drop, lower_width; // [m]
     double gate_speed, end_speed, end_fraction;   // [m/s], [m/s], [-]
     double longest, interval, time_step, skin;    // [s], [s], [s], [m]
@@ -99,15 +99,25 @@ std::vector<OptionSpec> options()
          .doc = "sizes of the particles",
          .required = true,
          .names_entry_of = "size_distribution"},
-        {.key = "mass_kg", .default_value = 1.0, .doc = "mass filled in [kg]", .required = true, .lower = 1e-9},
+        {.key = "mass_kg",
+         .default_value = 1.0,
+         .doc = "mass filled in [kg]",
+         .required = true,
+         .lower = 1e-9},
         {.key = "bulk_density",
          .default_value = 1500.0,
          .doc = "bulk density of the levelled bed [kg/m^3]; with the mass it gives the bed height",
          .required = true,
          .lower = 1e-3},
-        {.key = "box_width_mm", .default_value = 548.0, .doc = "inner width of the upper box [mm]", .lower = 1e-3},
+        {.key = "box_width_mm",
+         .default_value = 548.0,
+         .doc = "inner width of the upper box [mm]",
+         .lower = 1e-3},
         {.key = "box_depth_mm", .default_value = 97.5, .doc = "distance of the windows [mm]", .lower = 1e-3},
-        {.key = "slot_width_mm", .default_value = 86.0, .doc = "width of the slot in the upper floor [mm]", .lower = 1e-3},
+        {.key = "slot_width_mm",
+         .default_value = 86.0,
+         .doc = "width of the slot in the upper floor [mm]",
+         .lower = 1e-3},
         {.key = "drop_height_mm",
          .default_value = 500.0,
          .doc = "from the upper to the lower floor [mm]",
@@ -122,7 +132,8 @@ std::vector<OptionSpec> options()
          .lower = 1e-3},
         {.key = "filling_friction",
          .default_value = 0.1,
-         .doc = "largest friction while the bed is filled and levelled [-], so that it reaches its bulk density",
+         .doc =
+             "largest friction while the bed is filled and levelled [-], so that it reaches its bulk density",
          .lower = 0.0},
         {.key = "end_speed_m_s",
          .default_value = 0.2,
@@ -166,7 +177,8 @@ struct MovingWalls
 
 MovingWalls add_walls(dem::Simulation& simulation, Drawdown const& rig, double top)
 {
-    std::uint32_t const wood = material_index(rig.model, rig.wood), glass = material_index(rig.model, rig.glass);
+    std::uint32_t const wood = material_index(rig.model, rig.wood),
+                        glass = material_index(rig.model, rig.glass);
     double const beyond = 0.05; // floors reach past the sides, so that no sphere meets an edge there
     double const half_depth = 0.5 * rig.depth + beyond;
     auto const floor = [&](double from_x, double to_x, double z) {
@@ -261,8 +273,8 @@ void fill(dem::Simulation& simulation, StageRunner& stages, Drawdown const& rig,
         simulation.set_wall(moving.lid, lid);
         stages.run_until("level", 5, rests);
     }
-    // Without the lid the bed relaxes while friction is still low; else it would keep the lid's pressure between the
-    // sides and arch over the slot.
+    // Without the lid the bed relaxes while friction is still low; else it would keep the lid's pressure
+    // between the sides and arch over the slot.
     dem::Wall lid = simulation.walls()[moving.lid];
     lid.active = false;
     simulation.set_wall(moving.lid, lid);
@@ -275,7 +287,8 @@ void fill(dem::Simulation& simulation, StageRunner& stages, Drawdown const& rig,
 
 void set_gate(dem::Simulation& simulation, MovingWalls const& moving, double speed, bool active)
 {
-    for (auto const& [number, direction] : {std::pair{moving.gate_left, -1.0}, std::pair{moving.gate_right, 1.0}}) {
+    for (auto const& [number, direction] :
+         {std::pair{moving.gate_left, -1.0}, std::pair{moving.gate_right, 1.0}}) {
         dem::Wall half = simulation.walls()[number];
         half.velocity = {direction * speed, 0, 0};
         half.active = active;
@@ -296,8 +309,8 @@ double slope_angle(observe::SurfaceProfile const& profile, double inner, double 
     return 0.5 * sign * (right.angle_deg() - left.angle_deg());
 }
 
-//! Slope of the linear part of the mass curve, from 10 to 60 % of what will leave: before it the flow builds up,
-//! after it only the wedges feed the slot [kg/s].
+//! Slope of the linear part of the mass curve, from 10 to 60 % of what will leave: before it the flow builds
+//! up, after it only the wedges feed the slot [kg/s].
 double mass_flow(std::vector<double> const& time, std::vector<double> const& mass)
 {
     double const full = mass.front(), leaving = mass.front() - mass.back();
@@ -335,7 +348,9 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
     MovingWalls const moving = add_walls(simulation, rig, top);
     StageRunner stages(simulation, hooks, rig.interval);
 
-    result.series = {.names = {"time", "upper_mass", "largest_speed"}, .units = {"s", "kg", "m/s"}, .columns = {{}, {}, {}}};
+    result.series = {.names = {"time", "upper_mass", "largest_speed"},
+                     .units = {"s", "kg", "m/s"},
+                     .columns = {{}, {}, {}}};
     double opened = 0;
     auto const finish = [&] {
         result.steps = simulation.steps_done();
@@ -344,8 +359,8 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
     try {
         fill(simulation, stages, rig, moving);
         result.snapshots.push_back(take_snapshot(simulation, "settled"));
-        auto const bed = observe::surface_profile(simulation.particles(), -0.5 * rig.width, 0.5 * rig.width, 200, 0,
-                                                  [](dem::Place const& p) { return p.z > 0; });
+        auto const bed = observe::surface_profile(simulation.particles(), -0.5 * rig.width, 0.5 * rig.width,
+                                                  200, 0, [](dem::Place const& p) { return p.z > 0; });
         double bed_height = 0;
         for (double const z : bed.z)
             bed_height += z / static_cast<double>(bed.z.size());
@@ -374,20 +389,22 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
                     return true;
                 quiet_since = std::min(quiet_since, simulation.time());
                 if (simulation.time() - quiet_since > 0.5)
-                    throw RunFailure(RunStatus::timed_out,
-                                     fmt::format("an arch blocks the slot: nothing moves, and {:.3g} of {:.3g} kg are "
-                                                 "still in the upper box",
-                                                 masses.back(), total));
+                    throw RunFailure(
+                        RunStatus::timed_out,
+                        fmt::format("an arch blocks the slot: nothing moves, and {:.3g} of {:.3g} kg are "
+                                    "still in the upper box",
+                                    masses.back(), total));
                 return false;
             },
             observe);
         result.snapshots.push_back(take_snapshot(simulation, "final"));
 
-        auto const heap = observe::surface_profile(simulation.particles(), -0.5 * rig.lower_width,
-                                                   0.5 * rig.lower_width, 400, -rig.drop,
-                                                   [](dem::Place const& p) { return p.z < 0; });
-        auto const wedges = observe::surface_profile(simulation.particles(), -0.5 * rig.width, 0.5 * rig.width, 400, 0,
-                                                     [](dem::Place const& p) { return p.z > 0; });
+        auto const heap =
+            observe::surface_profile(simulation.particles(), -0.5 * rig.lower_width, 0.5 * rig.lower_width,
+                                     400, -rig.drop, [](dem::Place const& p) { return p.z < 0; });
+        auto const wedges =
+            observe::surface_profile(simulation.particles(), -0.5 * rig.width, 0.5 * rig.width, 400, 0,
+                                     [](dem::Place const& p) { return p.z > 0; });
         result.responses = {slope_angle(heap, 0, 0.5 * rig.lower_width, rig.wedge_margin, true),
                             slope_angle(wedges, 0.5 * rig.slot, 0.5 * rig.width, rig.wedge_margin, false),
                             mass_flow(result.series.columns[0], masses),
@@ -405,27 +422,31 @@ void check(RunInput const& input)
 {
     Drawdown const rig(input);
     if (rig.slot >= rig.width)
-        throw InputError(fmt::format("slot_width_mm = {:.4g} must be smaller than box_width_mm = {:.4g}", 1e3 * rig.slot,
-                                     1e3 * rig.width));
+        throw InputError(fmt::format("slot_width_mm = {:.4g} must be smaller than box_width_mm = {:.4g}",
+                                     1e3 * rig.slot, 1e3 * rig.width));
     if (rig.lower_width < rig.slot)
         throw InputError(fmt::format("lower_box_width_mm = {:.4g} must be at least slot_width_mm = {:.4g}",
                                      1e3 * rig.lower_width, 1e3 * rig.slot));
     if (rig.bulk_density >= 0.74 * rig.density)
-        throw InputError(fmt::format("bulk_density = {:.5g} kg/m^3 cannot be reached: spheres of density {:.5g} kg/m^3 "
-                                     "pack to at most 0.74 of it",
-                                     rig.bulk_density, rig.density));
+        throw InputError(
+            fmt::format("bulk_density = {:.5g} kg/m^3 cannot be reached: spheres of density {:.5g} kg/m^3 "
+                        "pack to at most 0.74 of it",
+                        rig.bulk_density, rig.density));
     double const largest = rig.sizes.largest();
-    for (auto const& [key, room] : {std::pair{"box_depth_mm", rig.depth}, std::pair{"slot_width_mm", rig.slot}})
+    for (auto const& [key, room] :
+         {std::pair{"box_depth_mm", rig.depth}, std::pair{"slot_width_mm", rig.slot}})
         if (room < 1.05 * largest)
-            throw InputError(fmt::format("no room for the particles: {} = {:.4g} must be larger than the largest "
-                                         "particle, {:.4g} mm",
-                                         key, 1e3 * room, 1e3 * largest));
+            throw InputError(
+                fmt::format("no room for the particles: {} = {:.4g} must be larger than the largest "
+                            "particle, {:.4g} mm",
+                            key, 1e3 * room, 1e3 * largest));
     // Even a flat heap of all that can leave must stay below the gate.
     double const heap = rig.mass / (rig.bulk_density * rig.lower_width * rig.depth);
     if (heap > rig.drop)
-        throw InputError(fmt::format("no room for the particles: the lower box ({:.4g} mm wide, {:.4g} mm high) does not "
-                                     "hold {:.4g} kg; make lower_box_width_mm or drop_height_mm larger",
-                                     1e3 * rig.lower_width, 1e3 * rig.drop, rig.mass));
+        throw InputError(
+            fmt::format("no room for the particles: the lower box ({:.4g} mm wide, {:.4g} mm high) does not "
+                        "hold {:.4g} kg; make lower_box_width_mm or drop_height_mm larger",
+                        1e3 * rig.lower_width, 1e3 * rig.drop, rig.mass));
 }
 
 double predict_cost(RunInput const& input)
@@ -443,20 +464,22 @@ double predict_cost(RunInput const& input)
 
 RigInfo drawdown_rig()
 {
-    return {.name = "drawdown",
-            .doc = "Draw Down Test: a box empties through a slot into a box below (Roessler et al. 2019)",
-            .options = options(),
-            .responses = {{"angle_of_repose_deg", "deg", "slope of the heap in the lower box, mean of both sides"},
-                          {"shear_angle_deg", "deg", "slope of the wedges left in the upper box, mean of both"},
-                          {"mass_flow_kg_s", "kg/s", "slope of the linear part of the mass curve"},
-                          {"final_mass_kg", "kg", "mass left in the upper box"},
-                          {"bulk_density_kg_m3", "kg/m^3", "of the levelled bed, before the gate opens"},
-                          {"discharge_time_s", "s", "from the opening of the gate to the end of the run"}},
-            .check = check,
-            .predict_cost = predict_cost,
-            .run = [](RunInput const& input, RunHooks const& hooks) {
-                return run_guarded(6, [&](RunResult& result) { run(input, hooks, result); });
-            }};
+    return {
+        .name = "drawdown",
+        .doc = "Draw Down Test: a box empties through a slot into a box below (Roessler et al. 2019)",
+        .options = options(),
+        .responses = {{"angle_of_repose_deg", "deg",
+                       "slope of the heap in the lower box, mean of both sides"},
+                      {"shear_angle_deg", "deg", "slope of the wedges left in the upper box, mean of both"},
+                      {"mass_flow_kg_s", "kg/s", "slope of the linear part of the mass curve"},
+                      {"final_mass_kg", "kg", "mass left in the upper box"},
+                      {"bulk_density_kg_m3", "kg/m^3", "of the levelled bed, before the gate opens"},
+                      {"discharge_time_s", "s", "from the opening of the gate to the end of the run"}},
+        .check = check,
+        .predict_cost = predict_cost,
+        .run = [](RunInput const& input, RunHooks const& hooks) {
+            return run_guarded(6, [&](RunResult& result) { run(input, hooks, result); });
+        }};
 }
 
 } // namespace demens::rig

@@ -30,7 +30,9 @@ std::vector<OptionSpec> options()
          .doc = "between the path and the normal of the plane [deg]",
          .lower = 0.0,
          .upper = 89.0},
-        {.key = "spin_rad_s", .default_value = 0.0, .doc = "angular velocity before, as if rolling backwards when positive"},
+        {.key = "spin_rad_s",
+         .default_value = 0.0,
+         .doc = "angular velocity before, as if rolling backwards when positive"},
     };
     for (auto& spec : time_step_options())
         specs.push_back(std::move(spec));
@@ -57,8 +59,9 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
     double const normal = speed * std::cos(angle), tangential = speed * std::sin(angle);
     double const dt = time_step(input);
     dem::Simulation simulation(input.model, {.time_step = dt, .gravity = {}, .skin = 0.1 * radius});
-    simulation.add_particle({0, 0, radius * (1 + 1e-12)}, radius, material_index(input.model, o.text("material")),
-                            {tangential, 0, -normal}, {0, -o.number("spin_rad_s"), 0});
+    simulation.add_particle({0, 0, radius * (1 + 1e-12)}, radius,
+                            material_index(input.model, o.text("material")), {tangential, 0, -normal},
+                            {0, -o.number("spin_rad_s"), 0});
     simulation.add_wall({.centre = {0, 0, 0},
                          .axis_u = {1, 0, 0},
                          .axis_v = {0, 1, 0},
@@ -91,15 +94,18 @@ RigInfo impact_rig()
             .doc = "one sphere hits a plane without gravity",
             .options = options(),
             .responses = {{"normal_restitution", "1", "normal speed after over before"},
-                          {"tangential_restitution", "1", "tangential speed after over before (1 at normal impact)"},
-                          {"rebound_spin_rad_s", "rad/s", "angular velocity after, positive when rolling forwards"},
+                          {"tangential_restitution", "1",
+                           "tangential speed after over before (1 at normal impact)"},
+                          {"rebound_spin_rad_s", "rad/s",
+                           "angular velocity after, positive when rolling forwards"},
                           {"largest_overlap_um", "um", "largest overlap during the contact"},
                           {"contact_time_us", "us", "duration of the contact"}},
             .check = check,
             .predict_cost = [](RunInput const&) { return 1e3; },
-            .run = [](RunInput const& input, RunHooks const& hooks) {
-                return run_guarded(5, [&](RunResult& result) { run(input, hooks, result); });
-            }};
+            .run =
+                [](RunInput const& input, RunHooks const& hooks) {
+                    return run_guarded(5, [&](RunResult& result) { run(input, hooks, result); });
+                }};
 }
 
 } // namespace demens::rig

@@ -10,14 +10,22 @@ namespace demens::rig {
 char const* name_of(RunStatus status)
 {
     switch (status) {
-    case RunStatus::not_run: return "not run";
-    case RunStatus::finished: return "finished";
-    case RunStatus::not_a_number: return "not a number";
-    case RunStatus::escaped: return "escaped";
-    case RunStatus::overlapping: return "overlapping";
-    case RunStatus::timed_out: return "timed out";
-    case RunStatus::error: return "error";
-    case RunStatus::quarantined: return "quarantined";
+    case RunStatus::not_run:
+        return "not run";
+    case RunStatus::finished:
+        return "finished";
+    case RunStatus::not_a_number:
+        return "not a number";
+    case RunStatus::escaped:
+        return "escaped";
+    case RunStatus::overlapping:
+        return "overlapping";
+    case RunStatus::timed_out:
+        return "timed out";
+    case RunStatus::error:
+        return "error";
+    case RunStatus::quarantined:
+        return "quarantined";
     }
     return "unknown";
 }

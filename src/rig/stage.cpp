@@ -10,7 +10,8 @@ namespace demens::rig {
 
 StageRunner::StageRunner(dem::Simulation& simulation, RunHooks const& hooks, double check_interval)
     : simulation_(simulation), hooks_(hooks),
-      steps_per_check_(std::max<std::int64_t>(1, std::llround(check_interval / simulation.options().time_step))),
+      steps_per_check_(
+          std::max<std::int64_t>(1, std::llround(check_interval / simulation.options().time_step))),
       next_frame_(hooks.frame_interval > 0 ? 0.0 : std::numeric_limits<double>::infinity()),
       started_(std::chrono::steady_clock::now())
 {
@@ -27,8 +28,9 @@ void StageRunner::run_until(std::string const& stage, double longest, std::funct
         if (done())
             return;
         if (simulation_.time() >= end)
-            throw RunFailure(RunStatus::timed_out,
-                             fmt::format("stage \"{}\" did not end within {:.3g} s of simulated time", stage, longest));
+            throw RunFailure(
+                RunStatus::timed_out,
+                fmt::format("stage \"{}\" did not end within {:.3g} s of simulated time", stage, longest));
         simulation_.steps(steps_per_check_);
         check(stage);
     }
@@ -38,17 +40,20 @@ void StageRunner::run_for(std::string const& stage, double duration, std::functi
 {
     double const end = simulation_.time() + duration;
     double const half_step = 0.5 * simulation_.options().time_step;
-    run_until(stage, 2 * duration + 1, [&] { return simulation_.time() >= end - half_step; }, observe);
+    run_until(
+        stage, 2 * duration + 1, [&] { return simulation_.time() >= end - half_step; }, observe);
 }
 
 void StageRunner::check(std::string const& stage)
 {
     std::string const when = fmt::format("in stage \"{}\" at {:.4f} s", stage, simulation_.time());
     switch (simulation_.check_health()) {
-    case dem::Health::good: break;
+    case dem::Health::good:
+        break;
     case dem::Health::not_a_number:
         throw RunFailure(RunStatus::not_a_number, "a position or force is not a number " + when);
-    case dem::Health::escaped: throw RunFailure(RunStatus::escaped, "a particle left the domain " + when);
+    case dem::Health::escaped:
+        throw RunFailure(RunStatus::escaped, "a particle left the domain " + when);
     case dem::Health::overlapping:
         throw RunFailure(RunStatus::overlapping,
                          fmt::format("two bodies overlap by more than {:.0f} % of the smaller radius {}",
@@ -58,8 +63,8 @@ void StageRunner::check(std::string const& stage)
         throw RunInterrupted();
     double const elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
     if (hooks_.wall_time_limit > 0 && elapsed > hooks_.wall_time_limit)
-        throw RunFailure(RunStatus::timed_out,
-                         fmt::format("the run took more than {:.0f} s of wall time {}", hooks_.wall_time_limit, when));
+        throw RunFailure(RunStatus::timed_out, fmt::format("the run took more than {:.0f} s of wall time {}",
+                                                           hooks_.wall_time_limit, when));
 }
 
 void StageRunner::write_frames(std::string const& stage)
@@ -93,8 +98,8 @@ Snapshot take_snapshot(dem::Simulation const& simulation, std::string name)
             continue;
         Vector3 const diagonal = wall.half_u * wall.axis_u + wall.half_v * wall.axis_v;
         Vector3 const a = wall.centre - diagonal, b = wall.centre + diagonal;
-        snapshot.walls.push_back({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z), std::max(a.x, b.x),
-                                  std::max(a.y, b.y), std::max(a.z, b.z)});
+        snapshot.walls.push_back({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z),
+                                  std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)});
     }
     return snapshot;
 }

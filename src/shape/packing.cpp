@@ -17,14 +17,15 @@ class PlacedSpheres
 {
   public:
     PlacedSpheres(Vector3 const& lower, Vector3 const& extent, double cell)
-        : lower_(lower), inverse_cell_(1 / cell), nx_(count(extent.x)), ny_(count(extent.y)), nz_(count(extent.z)),
-          cells_(static_cast<std::size_t>(nx_) * ny_ * nz_)
+        : lower_(lower), inverse_cell_(1 / cell), nx_(count(extent.x)), ny_(count(extent.y)),
+          nz_(count(extent.z)), cells_(static_cast<std::size_t>(nx_) * ny_ * nz_)
     {
     }
 
     bool overlaps(Vector3 const& p, double radius) const
     {
-        int const x = index(p.x - lower_.x, nx_), y = index(p.y - lower_.y, ny_), z = index(p.z - lower_.z, nz_);
+        int const x = index(p.x - lower_.x, nx_), y = index(p.y - lower_.y, ny_),
+                  z = index(p.z - lower_.z, nz_);
         for (int cz = std::max(z - 1, 0); cz <= std::min(z + 1, nz_ - 1); ++cz)
             for (int cy = std::max(y - 1, 0); cy <= std::min(y + 1, ny_ - 1); ++cy)
                 for (int cx = std::max(x - 1, 0); cx <= std::min(x + 1, nx_ - 1); ++cx)
@@ -36,8 +37,8 @@ class PlacedSpheres
 
     void add(Vector3 const& p, double radius)
     {
-        cells_[at(index(p.x - lower_.x, nx_), index(p.y - lower_.y, ny_), index(p.z - lower_.z, nz_))].push_back(
-            {p, radius});
+        cells_[at(index(p.x - lower_.x, nx_), index(p.y - lower_.y, ny_), index(p.z - lower_.z, nz_))]
+            .push_back({p, radius});
     }
 
   private:
@@ -63,9 +64,10 @@ std::vector<Vector3> loose_packing(std::vector<double> const& diameters, Vector3
         return {};
     double const largest = *std::max_element(diameters.begin(), diameters.end());
     if (largest >= std::min(width_x, width_y))
-        throw InputError(fmt::format("no room for the particles: the largest sphere, {:.4g} mm, does not fit into a box "
-                                     "{:.4g} mm by {:.4g} mm",
-                                     1e3 * largest, 1e3 * width_x, 1e3 * width_y));
+        throw InputError(
+            fmt::format("no room for the particles: the largest sphere, {:.4g} mm, does not fit into a box "
+                        "{:.4g} mm by {:.4g} mm",
+                        1e3 * largest, 1e3 * width_x, 1e3 * width_y));
     double volume = 0;
     for (double const d : diameters)
         volume += std::numbers::pi / 6 * d * d * d;

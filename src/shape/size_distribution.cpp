@@ -8,23 +8,27 @@
 
 namespace demens::shape {
 
-SizeDistribution::SizeDistribution(std::vector<double> diameters, std::vector<double> cumulative_mass_fractions)
+SizeDistribution::SizeDistribution(std::vector<double> diameters,
+                                   std::vector<double> cumulative_mass_fractions)
     : diameters_(std::move(diameters)), fractions_(std::move(cumulative_mass_fractions))
 {
     if (diameters_.empty() || diameters_.size() != fractions_.size())
-        throw InputError("a size distribution needs as many cumulative mass fractions as diameters, and at least one");
+        throw InputError(
+            "a size distribution needs as many cumulative mass fractions as diameters, and at least one");
     for (std::size_t i = 0; i < diameters_.size(); ++i) {
         if (!(diameters_[i] > 0) || !std::isfinite(diameters_[i]))
             throw InputError("a diameter must be positive, not " + std::to_string(diameters_[i]));
         if (i > 0 && diameters_[i] < diameters_[i - 1])
-            throw InputError("the diameters must not decrease: " + std::to_string(diameters_[i]) + " comes after " +
-                             std::to_string(diameters_[i - 1]));
+            throw InputError("the diameters must not decrease: " + std::to_string(diameters_[i]) +
+                             " comes after " + std::to_string(diameters_[i - 1]));
         if (i > 0 && fractions_[i] < fractions_[i - 1])
-            throw InputError("the cumulative mass fractions must not decrease: " + std::to_string(fractions_[i]) +
-                             " comes after " + std::to_string(fractions_[i - 1]));
+            throw InputError(
+                "the cumulative mass fractions must not decrease: " + std::to_string(fractions_[i]) +
+                " comes after " + std::to_string(fractions_[i - 1]));
     }
     if (std::abs(fractions_.back() - 1.0) > 1e-9)
-        throw InputError("the last cumulative mass fraction must be 1, not " + std::to_string(fractions_.back()));
+        throw InputError("the last cumulative mass fraction must be 1, not " +
+                         std::to_string(fractions_.back()));
     if (!(fractions_.front() >= 0))
         throw InputError("the first cumulative mass fraction must be at least 0, not " +
                          std::to_string(fractions_.front()));
@@ -65,8 +69,8 @@ double SizeDistribution::quantile(double mass_fraction) const
 
 std::vector<double> SizeDistribution::sample_mass(double mass, double density, RandomStream& random) const
 {
-    // Walk along the cumulative mass curve, sphere by sphere: each sphere stands for its own stretch of the curve,
-    // so that the sample follows the distribution by mass whatever the number of spheres.
+    // Walk along the cumulative mass curve, sphere by sphere: each sphere stands for its own stretch of the
+    // curve, so that the sample follows the distribution by mass whatever the number of spheres.
     double const per_cubed = density * std::numbers::pi / 6;
     std::vector<double> sample;
     double placed = 0;

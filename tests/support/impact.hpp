@@ -55,7 +55,8 @@ inline Collision collide(dem::Simulation& simulation, bool with_wall)
         }
         result.largest_overlap = std::max(result.largest_overlap, overlap);
         auto const& load = p.load[0];
-        result.largest_force = std::max(result.largest_force, std::sqrt(load.fx * load.fx + load.fy * load.fy + load.fz * load.fz));
+        result.largest_force = std::max(result.largest_force,
+                                        std::sqrt(load.fx * load.fx + load.fy * load.fy + load.fz * load.fz));
     }
     auto const& p = simulation.particles();
     for (std::size_t k = 0; k < p.size() && k < 2; ++k) {
@@ -70,8 +71,8 @@ inline Collision hit_plane(contact::Model const& model, Sphere const& sphere, do
                            std::uint32_t wall_material = 0)
 {
     dem::Simulation simulation(model, {.time_step = time_step, .gravity = {}, .skin = 0.1 * sphere.radius});
-    simulation.add_particle({0, 0, sphere.radius * (1 + 1e-9)}, sphere.radius, sphere.material, sphere.velocity,
-                            sphere.spin);
+    simulation.add_particle({0, 0, sphere.radius * (1 + 1e-9)}, sphere.radius, sphere.material,
+                            sphere.velocity, sphere.spin);
     simulation.add_wall({.centre = {},
                          .axis_u = {1, 0, 0},
                          .axis_v = {0, 1, 0},
@@ -82,10 +83,11 @@ inline Collision hit_plane(contact::Model const& model, Sphere const& sphere, do
 }
 
 //! Two spheres meet along x, the first at the left.
-inline Collision hit_each_other(contact::Model const& model, Sphere const& a, Sphere const& b, double time_step)
+inline Collision hit_each_other(contact::Model const& model, Sphere const& a, Sphere const& b,
+                                double time_step)
 {
-    dem::Simulation simulation(model,
-                               {.time_step = time_step, .gravity = {}, .skin = 0.1 * std::min(a.radius, b.radius)});
+    dem::Simulation simulation(
+        model, {.time_step = time_step, .gravity = {}, .skin = 0.1 * std::min(a.radius, b.radius)});
     simulation.add_particle({-a.radius * (1 + 1e-9), 0, 0}, a.radius, a.material, a.velocity, a.spin);
     simulation.add_particle({b.radius * (1 + 1e-9), 0, 0}, b.radius, b.material, b.velocity, b.spin);
     return collide(simulation, false);

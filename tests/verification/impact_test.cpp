@@ -45,9 +45,11 @@ struct ElasticCase
 TEST(Impact, Test1TwoEqualSpheresNormalElastic)
 {
     for (auto const& [material, overlap, force, time] :
-         {ElasticCase{glass, 274.11e-6, 10.697e3, 40.34e-6}, ElasticCase{limestone, 368.30e-6, 7.108e3, 54.20e-6}}) {
+         {ElasticCase{glass, 274.11e-6, 10.697e3, 40.34e-6},
+          ElasticCase{limestone, 368.30e-6, 7.108e3, 54.20e-6}}) {
         double const dt = step_of(0.01, material);
-        auto const hit = hit_each_other(one_material(material, pair(1, 0)), {0.01, {10, 0, 0}}, {0.01, {-10, 0, 0}}, dt);
+        auto const hit =
+            hit_each_other(one_material(material, pair(1, 0)), {0.01, {10, 0, 0}}, {0.01, {-10, 0, 0}}, dt);
         EXPECT_NEAR(hit.largest_overlap, overlap, 1e-3 * overlap) << material.name;
         EXPECT_NEAR(hit.largest_force, force, 1e-3 * force) << material.name;
         EXPECT_NEAR(hit.contact_time, time, 5e-3 * time) << material.name;
@@ -59,7 +61,8 @@ TEST(Impact, Test2SphereOnRigidPlaneElastic)
 {
     contact::Material const rigid{"rigid", 1000, 1e20, 0.3};
     for (auto const& [material, overlap, force, time] :
-         {ElasticCase{aluminium, 49.717e-6, 11.370e3, 731.7e-6}, ElasticCase{magnesium, 52.123e-6, 7.233e3, 767.1e-6}}) {
+         {ElasticCase{aluminium, 49.717e-6, 11.370e3, 731.7e-6},
+          ElasticCase{magnesium, 52.123e-6, 7.233e3, 767.1e-6}}) {
         auto p = pair(1, 0);
         p.first = material.name;
         p.second = "rigid";
@@ -74,8 +77,8 @@ TEST(Impact, Test3NormalRestitution)
 {
     for (auto const& material : {alumina, cast_iron})
         for (double const e : {0.2, 0.4, 0.6, 0.8, 1.0}) {
-            auto const hit =
-                hit_plane(one_material(material, pair(e, 0)), {2.5e-3, {0, 0, -3.9}}, 0.1 * step_of(2.5e-3, material));
+            auto const hit = hit_plane(one_material(material, pair(e, 0)), {2.5e-3, {0, 0, -3.9}},
+                                       0.1 * step_of(2.5e-3, material));
             EXPECT_NEAR(hit.velocity[0].z / 3.9, e, 1e-3 * e) << material.name;
         }
 }
@@ -99,10 +102,11 @@ struct ObliqueRow
 
 //! Test 4, alumina: measured points, and from 35 degrees on the closed form of a rigid sliding sphere.
 constexpr std::array oblique_rows = {
-    ObliqueRow{15, .624, -377.8, -5.54}, ObliqueRow{20, .616, -510.6, -7.54}, ObliqueRow{25, .634, -599.4, -7.54},
-    ObliqueRow{30, .684, -616.5, -3.55}, ObliqueRow{35, .740, -581.9, 3.66},  ObliqueRow{40, .783, -544.2, 11.62},
-    ObliqueRow{50, .847, -456.7, 29.49}, ObliqueRow{60, .895, -355.2, 48.16}, ObliqueRow{70, .934, -243.0, 65.09},
-    ObliqueRow{80, .968, -123.4, 78.98}};
+    ObliqueRow{15, .624, -377.8, -5.54}, ObliqueRow{20, .616, -510.6, -7.54},
+    ObliqueRow{25, .634, -599.4, -7.54}, ObliqueRow{30, .684, -616.5, -3.55},
+    ObliqueRow{35, .740, -581.9, 3.66},  ObliqueRow{40, .783, -544.2, 11.62},
+    ObliqueRow{50, .847, -456.7, 29.49}, ObliqueRow{60, .895, -355.2, 48.16},
+    ObliqueRow{70, .934, -243.0, 65.09}, ObliqueRow{80, .968, -123.4, 78.98}};
 
 TEST(Impact, Test4Oblique)
 {
@@ -136,16 +140,17 @@ TEST(Impact, Test5ObliqueSteelAndPolyethylene)
 
 TEST(Impact, Test5StickingSteelFollowsTheMeasuredAlumina)
 {
-    // Below X = 5 the contact sticks for a while. In units of mu V_n an elastic impact depends on X and Poisson's ratio
-    // alone, so steel must follow the points measured with alumina (test 4) at the same X. The values digitised for
-    // this test (-2.52 at X = 2, -4.84 at X = 4) contradict those points (-1.51 at 1.92, -3.79 at 3.96) and are not used.
+    // Below X = 5 the contact sticks for a while. In units of mu V_n an elastic impact depends on X and
+    // Poisson's ratio alone, so steel must follow the points measured with alumina (test 4) at the same X.
+    // The values digitised for this test (-2.52 at X = 2, -4.84 at X = 4) contradict those points (-1.51
+    // at 1.92, -3.79 at 3.96) and are not used.
     double const radius = 1e-5, vn = 5, mu = 0.3;
     for (auto const& [degrees, measured] : {std::array{20.0, -510.6}, std::array{25.0, -599.4}}) {
         double const angle = degrees * std::numbers::pi / 180;
         double const x = std::tan(angle) / 0.092;
         double const expected = 2.5e-3 * measured / (0.092 * 3.9 * std::cos(angle));
-        auto const hit =
-            hit_plane(one_material(steel, pair(1, mu)), {radius, {x * mu * vn, 0, -vn}}, step_of(radius, steel));
+        auto const hit = hit_plane(one_material(steel, pair(1, mu)), {radius, {x * mu * vn, 0, -vn}},
+                                   step_of(radius, steel));
         EXPECT_NEAR(-radius * hit.spin[0].y / (mu * vn), expected, 0.03 * std::abs(expected)) << degrees;
     }
 }
@@ -157,8 +162,9 @@ TEST(Impact, Test6SpinningSphereSlides)
     for (auto const& material : {aluminium_alloy, nylon})
         for (double const x : {0.187, 0.551}) {
             double const surface_speed = 3.5 * mu * (1 + e) * vn / x;
-            auto const hit = hit_plane(one_material(material, pair(e, mu)),
-                                       {radius, {0, 0, -vn}, {0, surface_speed / radius, 0}}, step_of(radius, material));
+            auto const hit =
+                hit_plane(one_material(material, pair(e, mu)),
+                          {radius, {0, 0, -vn}, {0, surface_speed / radius, 0}}, step_of(radius, material));
             double const after = hit.velocity[0].x - radius * hit.spin[0].y;
             EXPECT_NEAR(after / surface_speed, -1 + x, 0.01) << material.name;
         }
@@ -185,8 +191,9 @@ TEST(Impact, Test8HeavySphereActsAsWall)
     p.first = aluminium_alloy.name;
     p.second = "heavy";
     double const surface_speed = 3.5 * mu * (1 + e) * vn / x;
-    auto const hit = hit_each_other({{aluminium_alloy, heavy}, {p}}, {radius, {vn, 0, 0}, {0, 0, surface_speed / radius}},
-                                    {0.5, {}, {}, 1}, step_of(radius, aluminium_alloy));
+    auto const hit =
+        hit_each_other({{aluminium_alloy, heavy}, {p}}, {radius, {vn, 0, 0}, {0, 0, surface_speed / radius}},
+                       {0.5, {}, {}, 1}, step_of(radius, aluminium_alloy));
     // The contact point of the first sphere moves with v + w x (R, 0, 0).
     double const after = hit.velocity[0].y + radius * hit.spin[0].z;
     EXPECT_NEAR(after / surface_speed, 1 - x, 0.01);

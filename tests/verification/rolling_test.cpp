@@ -24,8 +24,8 @@ contact::PairProperties pair(double friction, contact::RollingLaw rolling, doubl
 }
 
 //! A sphere that lies on the plane z = 0 at its static overlap.
-dem::Simulation lying_sphere(contact::PairProperties const& p, Vector3 const& gravity, Vector3 const& velocity,
-                             Vector3 const& spin)
+dem::Simulation lying_sphere(contact::PairProperties const& p, Vector3 const& gravity,
+                             Vector3 const& velocity, Vector3 const& spin)
 {
     auto const model = one_material(stone, p);
     dem::Simulation simulation(model, {.time_step = 1e-5, .gravity = gravity, .skin = 1e-3});
@@ -33,7 +33,8 @@ dem::Simulation lying_sphere(contact::PairProperties const& p, Vector3 const& gr
     double const modulus = 1e7 / (2 * (1 - 0.09));
     double const overlap = std::pow(-gravity.z * mass * 0.75 / (modulus * std::sqrt(radius)), 2.0 / 3);
     simulation.add_particle({0, 0, radius - overlap}, radius, 0, velocity, spin);
-    simulation.add_wall({.centre = {}, .axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}, .half_u = 1e6, .half_v = 1e6});
+    simulation.add_wall(
+        {.centre = {}, .axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}, .half_u = 1e6, .half_v = 1e6});
     return simulation;
 }
 
@@ -41,7 +42,8 @@ TEST(Rolling, SlipTurnsIntoRolling)
 {
     // u = 5/7 u0 once slip has ended, whatever the friction.
     for (double const friction : {0.1, 0.3}) {
-        auto simulation = lying_sphere(pair(friction, contact::RollingLaw::none, 0), {0, 0, -g}, {0.5, 0, 0}, {});
+        auto simulation =
+            lying_sphere(pair(friction, contact::RollingLaw::none, 0), {0, 0, -g}, {0.5, 0, 0}, {});
         simulation.steps(50000);
         EXPECT_NEAR(simulation.velocity(0).x, 5.0 / 7 * 0.5, 2e-3) << friction;
         EXPECT_NEAR(simulation.spin(0).y * radius, 5.0 / 7 * 0.5, 2e-3) << friction;
@@ -53,7 +55,8 @@ TEST(Rolling, DecaysUnderConstantTorque)
     // w = w0 - 5 mu_r g t/(7 r) while it rolls without slip: the closed form of REFERENCE-VALUES.md,
     // 5 mu_r g t/(2 r), is that of a sphere spinning without friction, tested here as well.
     double const mu_r = 0.02, w0 = 20, t = 0.1;
-    auto spinning = lying_sphere(pair(0, contact::RollingLaw::constant_torque, mu_r), {0, 0, -g}, {}, {0, w0, 0});
+    auto spinning =
+        lying_sphere(pair(0, contact::RollingLaw::constant_torque, mu_r), {0, 0, -g}, {}, {0, w0, 0});
     spinning.steps(10000);
     EXPECT_NEAR(spinning.spin(0).y, w0 - 2.5 * mu_r * g * t / radius, 2e-3 * w0);
     auto rolling = lying_sphere(pair(0.5, contact::RollingLaw::constant_torque, mu_r), {0, 0, -g},
@@ -66,7 +69,8 @@ TEST(Rolling, DownAnInclineAgainstRollingFriction)
 {
     // v = 5/7 g (sin - mu_r cos) t.
     double const angle = 20 * std::numbers::pi / 180, mu_r = 0.1, t = 0.3;
-    for (auto const law : {contact::RollingLaw::constant_torque, contact::RollingLaw::epsd, contact::RollingLaw::epsd2}) {
+    for (auto const law :
+         {contact::RollingLaw::constant_torque, contact::RollingLaw::epsd, contact::RollingLaw::epsd2}) {
         auto simulation =
             lying_sphere(pair(0.8, law, mu_r), {g * std::sin(angle), 0, -g * std::cos(angle)}, {}, {});
         simulation.steps(30000);
@@ -80,7 +84,8 @@ TEST(Rolling, StaysOnAnInclineBelowTheRollingAngle)
     // Released at once, the undamped spring overshoots to twice its load: 2 tan 5 deg = 0.175 < mu_r.
     double const angle = 5 * std::numbers::pi / 180;
     for (auto const law : {contact::RollingLaw::epsd, contact::RollingLaw::epsd2}) {
-        auto simulation = lying_sphere(pair(0.8, law, 0.2), {g * std::sin(angle), 0, -g * std::cos(angle)}, {}, {});
+        auto simulation =
+            lying_sphere(pair(0.8, law, 0.2), {g * std::sin(angle), 0, -g * std::cos(angle)}, {}, {});
         simulation.steps(50000);
         EXPECT_LT(std::abs(simulation.particles().place[0].x), 0.02 * radius) << static_cast<int>(law);
     }
@@ -88,9 +93,9 @@ TEST(Rolling, StaysOnAnInclineBelowTheRollingAngle)
 
 TEST(Sliding, StaticFrictionIsOvercomeOnceAndKineticResists)
 {
-    // On an incline of 25 deg a block-like sphere (rotation locked by a huge rolling resistance), released at once,
-    // loads its contact up to 2 tan 25 = 0.93: it holds for a larger mu_s, and for a smaller one slides with
-    // g (sin - mu_k cos) although mu_s > tan 25 = 0.466.
+    // On an incline of 25 deg a block-like sphere (rotation locked by a huge rolling resistance), released at
+    // once, loads its contact up to 2 tan 25 = 0.93: it holds for a larger mu_s, and for a smaller one slides
+    // with g (sin - mu_k cos) although mu_s > tan 25 = 0.466.
     double const angle = 25 * std::numbers::pi / 180, t = 0.2;
     Vector3 const gravity{g * std::sin(angle), 0, -g * std::cos(angle)};
     for (auto const law : {contact::TangentialLaw::linear_coulomb, contact::TangentialLaw::mindlin_rescale}) {
@@ -122,15 +127,18 @@ TEST(Rest, FloorCarriesTheWeight)
             mass += 2500 * 4.0 / 3 * std::numbers::pi * r * r * r;
             simulation.add_particle({0.0105 + 0.021 * (k % 6) + 1e-4 * random.uniform(),
                                      0.0105 + 0.021 * (k / 6 % 6) + 1e-4 * random.uniform(),
-                                     0.011 + 0.021 * (k / 36)}, r, 0);
+                                     0.011 + 0.021 * (k / 36)},
+                                    r, 0);
         }
         double const side = 6 * 0.021;
         auto const wall = [&](Vector3 centre, Vector3 u, Vector3 v) {
-            return simulation.add_wall({.centre = centre, .axis_u = u, .axis_v = v, .half_u = 1, .half_v = 1});
+            return simulation.add_wall(
+                {.centre = centre, .axis_u = u, .axis_v = v, .half_u = 1, .half_v = 1});
         };
         auto const floor = wall({}, {1, 0, 0}, {0, 1, 0});
-        std::uint32_t const sides[] = {wall({}, {0, 1, 0}, {0, 0, 1}), wall({side, 0, 0}, {0, 1, 0}, {0, 0, 1}),
-                                       wall({}, {0, 0, 1}, {1, 0, 0}), wall({0, side, 0}, {0, 0, 1}, {1, 0, 0})};
+        std::uint32_t const sides[] = {
+            wall({}, {0, 1, 0}, {0, 0, 1}), wall({side, 0, 0}, {0, 1, 0}, {0, 0, 1}),
+            wall({}, {0, 0, 1}, {1, 0, 0}), wall({0, side, 0}, {0, 0, 1}, {1, 0, 0})};
         simulation.steps(100000);
         ASSERT_EQ(simulation.check_health(), dem::Health::good);
         double carried = 0;

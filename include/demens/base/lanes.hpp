@@ -8,8 +8,14 @@ namespace demens {
 using Four = double __attribute__((vector_size(32), aligned(8)));
 using FourMask = long long __attribute__((vector_size(32)));
 
-DEMENS_INLINE Four load_four(double const* from) { return *reinterpret_cast<Four const*>(from); }
-DEMENS_INLINE void store_four(double* to, Four const& value) { *reinterpret_cast<Four*>(to) = value; }
+DEMENS_INLINE Four load_four(double const* from)
+{
+    return *reinterpret_cast<Four const*>(from);
+}
+DEMENS_INLINE void store_four(double* to, Four const& value)
+{
+    *reinterpret_cast<Four*>(to) = value;
+}
 
 //! Rows become columns: four records of four numbers become four numbers each of four records, and back.
 DEMENS_INLINE void transpose(Four& a, Four& b, Four& c, Four& d)

@@ -16,9 +16,9 @@
 
 //! One copy of a hot loop per instruction set, the best one chosen when the program starts. Results are the
 //! same on all of them, since the build forbids contraction of products and sums.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) &&                 \
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__CUDACC__) &&               \
     !defined(__SANITIZE_ADDRESS__)
-#define DEMENS_MULTIVERSION                                                                                     \
+#define DEMENS_MULTIVERSION                                                                                  \
     __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default"), flatten))
 #else
 #define DEMENS_MULTIVERSION

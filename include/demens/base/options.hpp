@@ -15,10 +15,11 @@ using OptionValue = std::variant<double, std::int64_t, bool, std::string>;
 //! What one key of an input table means; parsers, documentation and checks are all made from it.
 struct OptionSpec
 {
-    std::string key;                 //!< as written in a file; carries the unit, e.g. `mass_kg`
-    OptionValue default_value = 0.0; //!< its alternative is the type; allowed even outside the range, e.g. -1: derived
-    std::string doc;                 //!< one line
-    bool required = false;           //!< no default: the author must give it
+    std::string key; //!< as written in a file; carries the unit, e.g. `mass_kg`
+    OptionValue default_value =
+        0.0;               //!< its alternative is the type; allowed even outside the range, e.g. -1: derived
+    std::string doc;       //!< one line
+    bool required = false; //!< no default: the author must give it
     double lower = -std::numeric_limits<double>::infinity(); //!< smallest allowed number, inclusive
     double upper = std::numeric_limits<double>::infinity();  //!< largest allowed number, inclusive
     std::vector<std::string> choices = {};                   //!< allowed words; empty: any

@@ -29,12 +29,30 @@ struct Vector3
     friend constexpr bool operator==(Vector3 const&, Vector3 const&) = default;
 };
 
-DEMENS_FUNCTION constexpr Vector3 operator+(Vector3 a, Vector3 const& b) { return a += b; }
-DEMENS_FUNCTION constexpr Vector3 operator-(Vector3 a, Vector3 const& b) { return a -= b; }
-DEMENS_FUNCTION constexpr Vector3 operator-(Vector3 const& a) { return {-a.x, -a.y, -a.z}; }
-DEMENS_FUNCTION constexpr Vector3 operator*(Vector3 a, double s) { return a *= s; }
-DEMENS_FUNCTION constexpr Vector3 operator*(double s, Vector3 a) { return a *= s; }
-DEMENS_FUNCTION constexpr Vector3 operator/(Vector3 a, double s) { return a *= 1.0 / s; }
+DEMENS_FUNCTION constexpr Vector3 operator+(Vector3 a, Vector3 const& b)
+{
+    return a += b;
+}
+DEMENS_FUNCTION constexpr Vector3 operator-(Vector3 a, Vector3 const& b)
+{
+    return a -= b;
+}
+DEMENS_FUNCTION constexpr Vector3 operator-(Vector3 const& a)
+{
+    return {-a.x, -a.y, -a.z};
+}
+DEMENS_FUNCTION constexpr Vector3 operator*(Vector3 a, double s)
+{
+    return a *= s;
+}
+DEMENS_FUNCTION constexpr Vector3 operator*(double s, Vector3 a)
+{
+    return a *= s;
+}
+DEMENS_FUNCTION constexpr Vector3 operator/(Vector3 a, double s)
+{
+    return a *= 1.0 / s;
+}
 
 DEMENS_FUNCTION constexpr double dot(Vector3 const& a, Vector3 const& b)
 {
@@ -44,7 +62,13 @@ DEMENS_FUNCTION constexpr Vector3 cross(Vector3 const& a, Vector3 const& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-DEMENS_FUNCTION constexpr double norm_squared(Vector3 const& a) { return dot(a, a); }
-DEMENS_FUNCTION inline double norm(Vector3 const& a) { return std::sqrt(norm_squared(a)); }
+DEMENS_FUNCTION constexpr double norm_squared(Vector3 const& a)
+{
+    return dot(a, a);
+}
+DEMENS_FUNCTION inline double norm(Vector3 const& a)
+{
+    return std::sqrt(norm_squared(a));
+}
 
 } // namespace demens

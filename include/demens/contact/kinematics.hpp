@@ -8,10 +8,10 @@ namespace demens::contact {
 //! Geometry and relative motion of one contact of bodies i and j; a wall takes the place of j.
 struct ContactKinematics
 {
-    Vector3 normal;           //!< unit vector from j to i
-    double overlap;           //!< [m], > 0
-    double radius_i;          //!< [m]
-    double radius_j;          //!< [m]; against a wall the radius of i, as its stiffness is that of a like sphere
+    Vector3 normal;  //!< unit vector from j to i
+    double overlap;  //!< [m], > 0
+    double radius_i; //!< [m]
+    double radius_j; //!< [m]; against a wall the radius of i, as its stiffness is that of a like sphere
     double effective_radius;  //!< R* [m]; against a wall the radius of i
     double effective_mass;    //!< m* [kg]; against a wall the mass of i
     double rolling_inertia;   //!< equivalent moment of inertia about the contact point [kg m^2]
@@ -47,8 +47,8 @@ DEMENS_INLINE DEMENS_FUNCTION double share_within(double size, double limit)
     return limit / (larger > 1e-300 ? larger : 1e-300);
 }
 
-//! Static and kinetic friction with a state: a contact that slides resists with the kinetic coefficient and sticks
-//! again once the trial force is below that limit (Moncada et al. 2023, eq. 3, with two coefficients).
+//! Static and kinetic friction with a state: a contact that slides resists with the kinetic coefficient and
+//! sticks again once the trial force is below that limit (Moncada et al. 2023, eq. 3, with two coefficients).
 struct CoulombFriction
 {
     double static_coefficient, kinetic_coefficient;

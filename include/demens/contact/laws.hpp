@@ -17,8 +17,8 @@ struct NoLaw
 {
 };
 
-// The list of laws. The order is that of the enumerations in model.hpp. To add one: its header, its line here, its
-// name in model.cpp, its test.
+// The list of laws. The order is that of the enumerations in model.hpp. To add one: its header, its line
+// here, its name in model.cpp, its test.
 using AnyNormal = std::variant<HertzNormal, HystereticSpringNormal>;
 using AnyTangential = std::variant<NoLaw, MindlinRescaleTangential, LinearCoulombTangential>;
 using AnyRolling = std::variant<NoLaw, ConstantTorqueRolling, EpsdRolling, Epsd2Rolling>;

@@ -16,9 +16,24 @@ struct Material
     double poisson_ratio = 0.3;  //!< [-]
 };
 
-enum class NormalLaw { hertz, hysteretic_spring };
-enum class TangentialLaw { none, mindlin_rescale, linear_coulomb };
-enum class RollingLaw { none, constant_torque, epsd, epsd2 };
+enum class NormalLaw
+{
+    hertz,
+    hysteretic_spring
+};
+enum class TangentialLaw
+{
+    none,
+    mindlin_rescale,
+    linear_coulomb
+};
+enum class RollingLaw
+{
+    none,
+    constant_torque,
+    epsd,
+    epsd2
+};
 
 //! Laws and coefficients of one pair of materials.
 struct PairProperties
@@ -27,14 +42,14 @@ struct PairProperties
     NormalLaw normal = NormalLaw::hertz;
     TangentialLaw tangential = TangentialLaw::mindlin_rescale;
     RollingLaw rolling = RollingLaw::none;
-    double restitution = 0.5;                //!< [-], in (0, 1]
-    double static_friction = 0.5;            //!< [-]
-    double kinetic_friction = 0.5;           //!< [-], at most the static one
-    double rolling_friction = 0;             //!< [-]
-    double rolling_damping = 0;              //!< [-], share of critical damping of `epsd`
-    double tangential_stiffness_ratio = 1;   //!< [-], K_t/K_l of `linear_coulomb`
+    double restitution = 0.5;                 //!< [-], in (0, 1]
+    double static_friction = 0.5;             //!< [-]
+    double kinetic_friction = 0.5;            //!< [-], at most the static one
+    double rolling_friction = 0;              //!< [-]
+    double rolling_damping = 0;               //!< [-], share of critical damping of `epsd`
+    double tangential_stiffness_ratio = 1;    //!< [-], K_t/K_l of `linear_coulomb`
     double minimum_unloading_fraction = 1e-3; //!< [-], lambda of `hysteretic_spring`
-    bool allow_attraction = true;            //!< `hertz`: let the damping pull while separating
+    bool allow_attraction = true;             //!< `hertz`: let the damping pull while separating
 };
 
 //! The base model: all materials and all pairs that may touch.

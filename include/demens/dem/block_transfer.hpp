@@ -7,8 +7,8 @@
 
 namespace demens::dem {
 
-// Between the records of bodies and histories and the lanes of a block. `block.slot` and `block.count` say which
-// contacts.
+// Between the records of bodies and histories and the lanes of a block. `block.slot` and `block.count` say
+// which contacts.
 
 //! Asks for the records of contacts [slot, end) that the next block will gather.
 void prefetch_contacts(ContactList const& list, std::uint32_t const* slot, std::uint32_t const* end,

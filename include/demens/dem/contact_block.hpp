@@ -5,8 +5,8 @@
 
 namespace demens::dem {
 
-//! Contacts of one kind gathered side by side, so that each law is a loop over lanes that vectorises. Lanes past
-//! `count` repeat the last contact and are not scattered.
+//! Contacts of one kind gathered side by side, so that each law is a loop over lanes that vectorises. Lanes
+//! past `count` repeat the last contact and are not scattered.
 struct alignas(64) ContactBlock
 {
     static constexpr int lanes = 32;
@@ -35,8 +35,8 @@ struct alignas(64) ContactBlock
     Lane normal_force, limit, stiffness;
 
     // Results
-    Lane fx, fy, fz; //!< force on i [N]
-    Lane mx, my, mz; //!< rolling torque on i [N m]
+    Lane fx, fy, fz;                   //!< force on i [N]
+    Lane mx, my, mz;                   //!< rolling torque on i [N m]
     Lane tix, tiy, tiz, tjx, tjy, tjz; //!< torques on i and j [N m]
 };
 

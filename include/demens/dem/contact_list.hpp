@@ -5,13 +5,14 @@
 
 namespace demens::dem {
 
-//! Pairs of one kind (same materials, hence same laws) that may touch before the next rebuild, with their history.
+//! Pairs of one kind (same materials, hence same laws) that may touch before the next rebuild, with their
+//! history.
 struct ContactList
 {
     std::uint32_t interaction = 0; //!< index of the law set
     bool with_wall = false;        //!< `second` is a wall, not a particle
     int state_size = 0;            //!< doubles of history per pair: scalars, then vectors
-    int state_scalars = 0;         //!< how many of them are scalars; vectors change sign when a pair is reversed
+    int state_scalars = 0; //!< how many of them are scalars; vectors change sign when a pair is reversed
 
     std::vector<std::uint32_t> first{}, second{};
     std::vector<std::uint8_t> touching{}; //!< 1: touched in the last step, its history counts

@@ -18,8 +18,8 @@ class NeighbourSearch
     {
     }
 
-    //! Sorts the particles along the cells of a grid and fills the lists anew: one per interaction among particles,
-    //! then one per interaction with walls. All positions must be finite.
+    //! Sorts the particles along the cells of a grid and fills the lists anew: one per interaction among
+    //! particles, then one per interaction with walls. All positions must be finite.
     void rebuild(Particles& particles, std::vector<Wall> const& walls, double skin,
                  std::vector<ContactList>& lists);
 
@@ -42,7 +42,8 @@ class NeighbourSearch
     Grid make_grid(Particles const& particles, double skin) const;
     void sort_into_cells(Particles& particles, Grid const& grid);
     void index_old_contacts(std::size_t particles, std::vector<ContactList> const& lists);
-    void find_pairs(Particles const& particles, Grid const& grid, double skin, std::vector<ContactList>& lists);
+    void find_pairs(Particles const& particles, Grid const& grid, double skin,
+                    std::vector<ContactList>& lists);
     void find_wall_contacts(Particles const& particles, std::vector<Wall> const& walls, double skin,
                             std::vector<ContactList>& lists);
     //! Adds a pair, with the history it had if it was touching.

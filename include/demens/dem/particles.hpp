@@ -7,8 +7,8 @@
 
 namespace demens::dem {
 
-// One record per use: a contact reads the place and the motion of both bodies and adds to both loads, one cache line
-// each.
+// One record per use: a contact reads the place and the motion of both bodies and adds to both loads, one
+// cache line each.
 
 //! Where a particle is and how large.
 struct alignas(32) Place
@@ -29,7 +29,7 @@ struct alignas(64) Motion
 //! Force and torque of the contacts at the present place; gravity is not in it.
 struct alignas(64) Load
 {
-    double fx, fy, fz, unused; //!< [N]
+    double fx, fy, fz, unused;  //!< [N]
     double tx, ty, tz, unused2; //!< [N m]
 };
 

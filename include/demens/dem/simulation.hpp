@@ -16,15 +16,21 @@ namespace demens::dem {
 
 struct SimulationOptions
 {
-    double time_step = 1e-5;              //!< [s]
-    Vector3 gravity = {0, 0, -9.81};      //!< [m/s^2]
-    double skin = 1e-3;                   //!< distance beyond contact that a neighbour list covers [m]
-    double overlap_limit = 0.5;           //!< largest overlap over the smaller radius that counts as healthy
+    double time_step = 1e-5;         //!< [s]
+    Vector3 gravity = {0, 0, -9.81}; //!< [m/s^2]
+    double skin = 1e-3;              //!< distance beyond contact that a neighbour list covers [m]
+    double overlap_limit = 0.5;      //!< largest overlap over the smaller radius that counts as healthy
     Vector3 domain_lower = {-1e9, -1e9, -1e9}; //!< particles outside have escaped [m]
     Vector3 domain_upper = {1e9, 1e9, 1e9};
 };
 
-enum class Health { good, not_a_number, escaped, overlapping };
+enum class Health
+{
+    good,
+    not_a_number,
+    escaped,
+    overlapping
+};
 
 //! Spheres and walls that move and touch: the state and one time step of it.
 class Simulation
@@ -64,7 +70,7 @@ class Simulation
     //! Velocity and spin of particle number k (not id) at the time of its place [m/s], [rad/s].
     Vector3 velocity(std::size_t k) const;
     Vector3 spin(std::size_t k) const;
-    double largest_speed() const; //!< [m/s]
+    double largest_speed() const;  //!< [m/s]
     double kinetic_energy() const; //!< translation and rotation [J]
     //! Touching pairs, and touching wall contacts, of the last step.
     std::size_t particle_contacts() const;
@@ -85,7 +91,7 @@ class Simulation
     Particles particles_;
     std::vector<Wall> walls_;
     std::vector<Vector3> wall_forces_;
-    std::vector<ContactList> lists_; //!< among particles, then with walls
+    std::vector<ContactList> lists_;               //!< among particles, then with walls
     std::vector<std::uint32_t> touching_, parted_; //!< slots found by the pair test
     std::unique_ptr<NeighbourSearch> search_;
     std::unique_ptr<ContactBlock> block_;

@@ -7,16 +7,16 @@
 
 namespace demens::dem {
 
-//! A rigid rectangle, solid from both sides; a plane is a rectangle larger than the domain. It touches a sphere at
-//! its point nearest to the centre: on its face, an edge or a corner.
+//! A rigid rectangle, solid from both sides; a plane is a rectangle larger than the domain. It touches a
+//! sphere at its point nearest to the centre: on its face, an edge or a corner.
 struct Wall
 {
     Vector3 centre;         //!< [m]
     Vector3 axis_u, axis_v; //!< orthogonal unit vectors along the sides
     double half_u, half_v;  //!< half lengths of the sides [m]
     std::uint32_t material = 0;
-    Vector3 velocity = {};  //!< prescribed translation [m/s]
-    bool active = true;     //!< an inactive wall touches nothing
+    Vector3 velocity = {}; //!< prescribed translation [m/s]
+    bool active = true;    //!< an inactive wall touches nothing
 
     DEMENS_FUNCTION Vector3 normal() const { return cross(axis_u, axis_v); }
 

@@ -9,11 +9,11 @@ namespace demens::observe {
 //! Particles at one moment, for pictures and files.
 struct Snapshot
 {
-    std::string name; //!< "settled", "final", ...
-    double time = 0;  //!< [s]
-    std::vector<double> x, y, z, radius;    //!< [m]
-    std::vector<double> vx, vy, vz;         //!< [m/s]; empty where they were not kept
-    std::vector<double> wx, wy, wz;         //!< [rad/s]; empty where they were not kept
+    std::string name;                         //!< "settled", "final", ...
+    double time = 0;                          //!< [s]
+    std::vector<double> x, y, z, radius;      //!< [m]
+    std::vector<double> vx, vy, vz;           //!< [m/s]; empty where they were not kept
+    std::vector<double> wx, wy, wz;           //!< [rad/s]; empty where they were not kept
     std::vector<std::array<double, 6>> walls; //!< axis-aligned wall outlines (x0, y0, z0, x1, y1, z1) [m]
 };
 

@@ -16,8 +16,8 @@ struct SurfaceProfile
 };
 
 //! Profile of the selected particles between two positions.
-SurfaceProfile surface_profile(dem::Particles const& particles, double from_x, double to_x, int points, double empty,
-                               std::function<bool(dem::Place const&)> const& select);
+SurfaceProfile surface_profile(dem::Particles const& particles, double from_x, double to_x, int points,
+                               double empty, std::function<bool(dem::Place const&)> const& select);
 
 //! A straight line z = intercept + slope x.
 struct Line

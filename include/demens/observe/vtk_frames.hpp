@@ -7,8 +7,9 @@
 
 namespace demens::observe {
 
-//! Frames for ParaView: one VTK PolyData file of the particles and one of the walls a frame, and the collections
-//! `particles.pvd` and `walls.pvd` that join them over time. The collections are complete after every frame.
+//! Frames for ParaView: one VTK PolyData file of the particles and one of the walls a frame, and the
+//! collections `particles.pvd` and `walls.pvd` that join them over time. The collections are complete after
+//! every frame.
 class VtkFrames
 {
   public:

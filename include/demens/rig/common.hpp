@@ -11,7 +11,8 @@ namespace demens::rig {
 //! Index of a material of the model. \throws InputError
 std::uint32_t material_index(contact::Model const& model, std::string const& name);
 //! The coefficients of two materials that will meet. \throws InputError that says which table is missing.
-contact::PairProperties const& require_pair(contact::Model const& model, std::string const& a, std::string const& b);
+contact::PairProperties const& require_pair(contact::Model const& model, std::string const& a,
+                                            std::string const& b);
 
 //! Keys with which every rig sets its time step.
 std::vector<OptionSpec> time_step_options();
@@ -23,12 +24,12 @@ struct TimeStepLimit
     std::string reason; //!< for messages
 };
 
-//! The campaign's fraction of the Rayleigh time of the smallest sphere, and 1/20 of the shortest contact of a linear
-//! spring.
-TimeStepLimit time_step_limit(contact::Model const& model, std::string const& material, double smallest_diameter,
-                              double rayleigh_fraction);
-//! The time step that the options ask for: `time_step_s`, or the limit where that is 0. \throws InputError above the
-//! limit.
+//! The campaign's fraction of the Rayleigh time of the smallest sphere, and 1/20 of the shortest contact of a
+//! linear spring.
+TimeStepLimit time_step_limit(contact::Model const& model, std::string const& material,
+                              double smallest_diameter, double rayleigh_fraction);
+//! The time step that the options ask for: `time_step_s`, or the limit where that is 0. \throws InputError
+//! above the limit.
 double chosen_time_step(OptionValues const& options, contact::Model const& model, std::string const& material,
                         double smallest_diameter);
 

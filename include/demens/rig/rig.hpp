@@ -15,7 +15,8 @@
 namespace demens::rig {
 
 //! How a run ended. Everything but `finished` keeps the run out of fits.
-enum class RunStatus {
+enum class RunStatus
+{
     not_run = 0,
     finished = 1,
     not_a_number = 2, //!< a position or force became NaN or infinite
@@ -71,8 +72,8 @@ struct RunHooks
 {
     std::function<void(Snapshot const&)> on_frame = {}; //!< called every `frame_interval` of simulated time
     double frame_interval = 0;                          //!< [s]; 0: never
-    std::function<bool()> should_stop = {};             //!< polled about once a second; true ends the run early
-    double wall_time_limit = 0;                         //!< [s]; 0: none
+    std::function<bool()> should_stop = {}; //!< polled about once a second; true ends the run early
+    double wall_time_limit = 0;             //!< [s]; 0: none
 };
 
 //! A run that was stopped from outside; it left no result and must be run again.

@@ -23,15 +23,16 @@ class RunFailure : public std::exception
     std::string reason_;
 };
 
-//! Drives a simulation through the stages of a rig: steps, health, time limits, frames and the caller's hooks.
+//! Drives a simulation through the stages of a rig: steps, health, time limits, frames and the caller's
+//! hooks.
 class StageRunner
 {
   public:
     StageRunner(dem::Simulation& simulation, RunHooks const& hooks, double check_interval);
 
     //! Runs until `done` holds, asked every check interval [s]; `observe`, if given, is called just before.
-    //! \throws RunFailure after `longest` [s] of simulated time, on a health failure or when wall time runs out.
-    //! \throws RunInterrupted
+    //! \throws RunFailure after `longest` [s] of simulated time, on a health failure or when wall time runs
+    //! out. \throws RunInterrupted
     void run_until(std::string const& stage, double longest, std::function<bool()> const& done,
                    std::function<void()> const& observe = {});
     //! Runs for a simulated time [s].
@@ -51,8 +52,8 @@ class StageRunner
 //! Particles and walls now, sorted by id.
 Snapshot take_snapshot(dem::Simulation const& simulation, std::string name);
 
-//! Calls `body(result)` and turns what it throws into the status and reason of the run; responses that were not
-//! reached are NaN. \throws RunInterrupted
+//! Calls `body(result)` and turns what it throws into the status and reason of the run; responses that were
+//! not reached are NaN. \throws RunInterrupted
 RunResult run_guarded(std::size_t responses, std::function<void(RunResult&)> const& body);
 
 } // namespace demens::rig

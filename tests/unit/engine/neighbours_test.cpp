@@ -27,7 +27,8 @@ dem::Particles random_particles(std::size_t count, double side, std::uint64_t se
     return particles;
 }
 
-//! Four law sets for two materials, each with histories of one scalar and one vector; with walls the same again.
+//! Four law sets for two materials, each with histories of one scalar and one vector; with walls the same
+//! again.
 std::vector<dem::ContactList> empty_lists()
 {
     std::vector<dem::ContactList> lists;
@@ -72,7 +73,8 @@ TEST(Neighbours, HistoriesFollowTheirPairsAndTurnWithThem)
     auto lists = empty_lists();
     dem::NeighbourSearch search(2, {0, 1, 2, 3});
     search.rebuild(particles, {}, 0.2, lists);
-    // Give every pair a history that tells who it is: scalar symmetric, vector from the first id to the second.
+    // Give every pair a history that tells who it is: scalar symmetric, vector from the first id to the
+    // second.
     auto const mark = [&](dem::ContactList const& list, std::size_t s) {
         double const a = particles.id[list.first[s]], b = particles.id[list.second[s]];
         return std::array{a + 1000 * b + b + 1000 * a, a - b, 2 * (a - b), a * a - b * b};
@@ -102,9 +104,18 @@ TEST(Neighbours, WallsListTheParticlesWithinReach)
 {
     auto particles = random_particles(200, 6, 9);
     auto lists = empty_lists();
-    std::vector<dem::Wall> const walls = {
-        {.centre = {3, 3, 1}, .axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}, .half_u = 1, .half_v = 2, .material = 1},
-        {.centre = {3, 3, 1}, .axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}, .half_u = 9, .half_v = 9, .active = false}};
+    std::vector<dem::Wall> const walls = {{.centre = {3, 3, 1},
+                                           .axis_u = {1, 0, 0},
+                                           .axis_v = {0, 1, 0},
+                                           .half_u = 1,
+                                           .half_v = 2,
+                                           .material = 1},
+                                          {.centre = {3, 3, 1},
+                                           .axis_u = {1, 0, 0},
+                                           .axis_v = {0, 1, 0},
+                                           .half_u = 9,
+                                           .half_v = 9,
+                                           .active = false}};
     dem::NeighbourSearch search(2, {0, 1, 2, 3});
     search.rebuild(particles, walls, 0.1, lists);
     std::size_t found = 0, expected = 0;
@@ -131,14 +142,16 @@ TEST(Neighbours, MotionDoesNotDependOnTheSkin)
         dem::Simulation simulation({{{"a", 2500, 1e7, 0.3}}, {pair}}, {.time_step = 2e-5, .skin = skin});
         RandomStream random(1);
         for (int k = 0; k < 60; ++k)
-            simulation.add_particle({0.02 * (k % 4) + 1e-3 * random.uniform(), 0.02 * (k / 4 % 4) + 1e-3 * random.uniform(),
-                                     0.011 + 0.021 * (k / 16)},
+            simulation.add_particle({0.02 * (k % 4) + 1e-3 * random.uniform(),
+                                     0.02 * (k / 4 % 4) + 1e-3 * random.uniform(), 0.011 + 0.021 * (k / 16)},
                                     0.0095, 0);
-        simulation.add_wall({.centre = {}, .axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}, .half_u = 1, .half_v = 1});
+        simulation.add_wall(
+            {.centre = {}, .axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}, .half_u = 1, .half_v = 1});
         simulation.steps(8000);
         std::vector<Vector3> places(60);
         for (std::size_t k = 0; k < 60; ++k)
-            places[simulation.particles().id[k]] = {simulation.particles().place[k].x, simulation.particles().place[k].y,
+            places[simulation.particles().id[k]] = {simulation.particles().place[k].x,
+                                                    simulation.particles().place[k].y,
                                                     simulation.particles().place[k].z};
         return places;
     };

@@ -22,7 +22,8 @@ dem::Particles roof(double slope)
 
 TEST(Surface, ProfileFollowsTheHighestSpheres)
 {
-    auto const profile = observe::surface_profile(roof(-0.5), -0.4, 0.4, 200, -9, [](auto const&) { return true; });
+    auto const profile =
+        observe::surface_profile(roof(-0.5), -0.4, 0.4, 200, -9, [](auto const&) { return true; });
     ASSERT_EQ(profile.x.size(), 200u);
     for (std::size_t k = 0; k < profile.x.size(); ++k)
         EXPECT_NEAR(profile.z[k], -0.5 * std::abs(profile.x[k]) + 1e-3 * std::sqrt(1.25), 3e-4);
@@ -30,7 +31,8 @@ TEST(Surface, ProfileFollowsTheHighestSpheres)
 
 TEST(Surface, LineHasTheSlopeOfTheSide)
 {
-    auto const profile = observe::surface_profile(roof(-0.5), -0.4, 0.4, 200, -9, [](auto const&) { return true; });
+    auto const profile =
+        observe::surface_profile(roof(-0.5), -0.4, 0.4, 200, -9, [](auto const&) { return true; });
     EXPECT_NEAR(observe::fit_line(profile, 0.05, 0.35).slope, -0.5, 2e-3);
     EXPECT_NEAR(observe::fit_line(profile, -0.35, -0.05).slope, 0.5, 2e-3);
     EXPECT_NEAR(observe::fit_line(profile, 0.05, 0.35).angle_deg(), -26.565, 0.1);
@@ -40,7 +42,8 @@ TEST(Surface, GapsAreLeftOut)
 {
     dem::Particles particles;
     particles.place.push_back({0, 0, 1, 0.1});
-    auto const profile = observe::surface_profile(particles, -1, 1, 100, -9, [](auto const&) { return true; });
+    auto const profile =
+        observe::surface_profile(particles, -1, 1, 100, -9, [](auto const&) { return true; });
     EXPECT_EQ(observe::fit_line(profile, 0.5, 1).points, 0);
     EXPECT_EQ(observe::fit_line(profile, -1, 1).points, 10);
 }

@@ -86,20 +86,21 @@ TEST(Picture, draws_the_nearest_particle_last_and_keeps_proportions)
     auto const& particles = picture["particles"];
     ASSERT_EQ(particles["h"].size(), 600u);
     double const quantum = picture["quantum"];
-    EXPECT_DOUBLE_EQ(quantum, 1.2 / 8192);
+    // 12 particles of 0.1 m across, 10 up, and 4 % of the larger on every side.
+    EXPECT_DOUBLE_EQ(quantum, 1.2 * 1.08 / 8192);
     EXPECT_EQ(picture["axes"][0], "x");
     EXPECT_EQ(particles["depth"].front(), 90); // y = 0.45 of 0 to 0.5
     EXPECT_EQ(particles["depth"].back(), 10);
     EXPECT_NEAR(particles["r"][0].get<double>() * quantum, 0.05, quantum);
-    EXPECT_NEAR(particles["h"].back().get<double>() * quantum, 1.15, quantum);
-    EXPECT_NEAR(picture["walls"][1][0].get<double>() * quantum, 1.2, quantum);
+    EXPECT_NEAR(particles["h"].back().get<double>() * quantum, 1.15 + 0.048, quantum);
+    EXPECT_NEAR(picture["walls"][1][0].get<double>() * quantum, 1.2 + 0.048, quantum);
 }
 
 TEST(Picture, has_one_frame_for_all_snapshots_of_a_run)
 {
     auto const pictures = pictures_of(test::sample_details(0).snapshots);
     // The last column of the second snapshot has sunk by 0.22 m below the floor.
-    EXPECT_DOUBLE_EQ(pictures[0]["origin"][1], -0.22);
+    EXPECT_NEAR(pictures[0]["origin"][1].get<double>(), -0.22 - 0.048, 1e-12);
     EXPECT_EQ(pictures[0]["size"], pictures[1]["size"]);
 }
 

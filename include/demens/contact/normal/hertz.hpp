@@ -5,10 +5,10 @@
 
 namespace demens::contact {
 
-//! Two elastic spheres with viscous damping that gives a constant restitution (Hertz 1882; Tsuji et al. 1992):
-//! F_n = 4/3 E* sqrt(R*) d^(3/2) + 2 sqrt(5/6) beta sqrt(S_n m*) v_n, S_n = 2 E* sqrt(R* d).
-//! Its elastic part limits friction: over an impact that part has the impulse of the whole force, so that a sliding
-//! impact has exactly mu times the normal impulse, whatever the damping.
+//! Two elastic spheres with viscous damping that gives a constant restitution (Hertz 1882; Tsuji et al.
+//! 1992): F_n = 4/3 E* sqrt(R*) d^(3/2) + 2 sqrt(5/6) beta sqrt(S_n m*) v_n, S_n = 2 E* sqrt(R* d). Its
+//! elastic part limits friction: over an impact that part has the impulse of the whole force, so that a
+//! sliding impact has exactly mu times the normal impulse, whatever the damping.
 class HertzNormal
 {
   public:

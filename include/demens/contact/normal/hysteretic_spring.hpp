@@ -20,7 +20,8 @@ class HystereticSpringNormal
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION NormalResponse operator()(ContactKinematics const& contact, double* state) const
+    DEMENS_INLINE DEMENS_FUNCTION NormalResponse operator()(ContactKinematics const& contact,
+                                                            double* state) const
     {
         double const k_i = 2 * modulus_i_ * contact.radius_i;
         double const k_j = 2 * modulus_j_ * contact.radius_j;

@@ -5,17 +5,20 @@
 
 namespace demens::contact {
 
-//! Torque of constant size against the relative spin, M = -mu_r R* |F_n| w/|w| (type A of Ai et al. 2011). It never
-//! turns the spin round within a step: |M| <= I_r |w|/dt, which lets a body come to rest.
+//! Torque of constant size against the relative spin, M = -mu_r R* |F_n| w/|w| (type A of Ai et al. 2011). It
+//! never turns the spin round within a step: |M| <= I_r |w|/dt, which lets a body come to rest.
 class ConstantTorqueRolling
 {
   public:
     static constexpr int state_vectors = 0;
 
-    ConstantTorqueRolling(PairMaterial const&, PairProperties const& pair) : coefficient_(pair.rolling_friction) {}
+    ConstantTorqueRolling(PairMaterial const&, PairProperties const& pair)
+        : coefficient_(pair.rolling_friction)
+    {
+    }
 
-    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact, NormalResponse const& normal,
-                                                     Vector3*) const
+    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact,
+                                                     NormalResponse const& normal, Vector3*) const
     {
         double const spin = norm(contact.relative_spin);
         double const limit = coefficient_ * contact.effective_radius * normal.limit;

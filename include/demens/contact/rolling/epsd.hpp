@@ -11,8 +11,8 @@ DEMENS_INLINE DEMENS_FUNCTION Vector3 rolling_spin(ContactKinematics const& cont
     return contact.relative_spin - dot(contact.relative_spin, contact.normal) * contact.normal;
 }
 
-//! Elastic-plastic spring-dashpot (type C of Ai et al. 2011): a torque spring k_r = 2.25 S_n mu_r^2 R*^2 up to
-//! mu_r R* |F_n|, and below that limit a dashpot -2 eta sqrt(I_r k_r) w.
+//! Elastic-plastic spring-dashpot (type C of Ai et al. 2011): a torque spring k_r = 2.25 S_n mu_r^2 R*^2 up
+//! to mu_r R* |F_n|, and below that limit a dashpot -2 eta sqrt(I_r k_r) w.
 class EpsdRolling
 {
   public:
@@ -24,8 +24,8 @@ class EpsdRolling
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact, NormalResponse const& normal,
-                                                     Vector3* vectors) const
+    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact,
+                                                     NormalResponse const& normal, Vector3* vectors) const
     {
         double const arm = coefficient_ * contact.effective_radius;
         double const stiffness = 2.25 * normal.stiffness * arm * arm;

@@ -4,8 +4,8 @@
 
 namespace demens::contact {
 
-//! Elastic-plastic spring with the stiffness of the tangential contact, k_r = S_t R*^2, S_t = 8 G* sqrt(R* d), and
-//! no dashpot; the limit is that of `epsd` (Iwashita and Oda 1998; Wensrich and Katterfeld 2012).
+//! Elastic-plastic spring with the stiffness of the tangential contact, k_r = S_t R*^2, S_t = 8 G* sqrt(R*
+//! d), and no dashpot; the limit is that of `epsd` (Iwashita and Oda 1998; Wensrich and Katterfeld 2012).
 class Epsd2Rolling
 {
   public:
@@ -17,8 +17,8 @@ class Epsd2Rolling
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact, NormalResponse const& normal,
-                                                     Vector3* vectors) const
+    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact,
+                                                     NormalResponse const& normal, Vector3* vectors) const
     {
         double const radius = contact.effective_radius;
         double const stiffness = 8 * shear_modulus_ * std::sqrt(radius * contact.overlap) * radius * radius;

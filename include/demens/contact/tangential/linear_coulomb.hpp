@@ -5,8 +5,8 @@
 
 namespace demens::contact {
 
-//! Linear spring with a Coulomb limit, F_t = F_t,old - K_t ds_t (Moncada et al. 2023, eq. 3-4); K_t is a ratio of
-//! the normal stiffness.
+//! Linear spring with a Coulomb limit, F_t = F_t,old - K_t ds_t (Moncada et al. 2023, eq. 3-4); K_t is a
+//! ratio of the normal stiffness.
 class LinearCoulombTangential
 {
   public:
@@ -15,12 +15,14 @@ class LinearCoulombTangential
     static constexpr int state_vectors = 1;
 
     LinearCoulombTangential(PairMaterial const&, PairProperties const& pair)
-        : stiffness_ratio_(pair.tangential_stiffness_ratio), friction_{pair.static_friction, pair.kinetic_friction}
+        : stiffness_ratio_(pair.tangential_stiffness_ratio), friction_{pair.static_friction,
+                                                                       pair.kinetic_friction}
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact, NormalResponse const& normal,
-                                                     double* scalars, Vector3* vectors) const
+    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact,
+                                                     NormalResponse const& normal, double* scalars,
+                                                     Vector3* vectors) const
     {
         double const step_stiffness = stiffness_ratio_ * normal.stiffness * contact.time_step;
         Vector3 const trial =

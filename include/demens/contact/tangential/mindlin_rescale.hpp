@@ -5,10 +5,10 @@
 
 namespace demens::contact {
 
-//! Mindlin's no-slip stiffness S_t = 8 G* sqrt(R* d) in increments, dF_t = -S_t ds_t, with a Coulomb limit and the
-//! damping 2 sqrt(5/6) beta sqrt(S_t m*) v_t while it sticks (Mindlin 1949; Tsuji et al. 1992). In unloading the
-//! stored force shrinks with the contact radius, sqrt(d/d_old), so that an oblique impact creates no energy
-//! (Thornton et al. 2013).
+//! Mindlin's no-slip stiffness S_t = 8 G* sqrt(R* d) in increments, dF_t = -S_t ds_t, with a Coulomb limit
+//! and the damping 2 sqrt(5/6) beta sqrt(S_t m*) v_t while it sticks (Mindlin 1949; Tsuji et al. 1992). In
+//! unloading the stored force shrinks with the contact radius, sqrt(d/d_old), so that an oblique impact
+//! creates no energy (Thornton et al. 2013).
 class MindlinRescaleTangential
 {
   public:
@@ -17,13 +17,15 @@ class MindlinRescaleTangential
     static constexpr int state_vectors = 1;
 
     MindlinRescaleTangential(PairMaterial const& material, PairProperties const& pair)
-        : shear_modulus_(material.effective_shear_modulus), damping_(1.8257418583505538 * material.damping),
-          friction_{pair.static_friction, pair.kinetic_friction}
+        : shear_modulus_(material.effective_shear_modulus),
+          damping_(1.8257418583505538 * material.damping), friction_{pair.static_friction,
+                                                                     pair.kinetic_friction}
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact, NormalResponse const& normal,
-                                                     double* scalars, Vector3* vectors) const
+    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact,
+                                                     NormalResponse const& normal, double* scalars,
+                                                     Vector3* vectors) const
     {
         double const stiffness = 8 * shear_modulus_ * std::sqrt(contact.effective_radius * contact.overlap);
         double const old_overlap = scalars[1];
@@ -33,8 +35,7 @@ class MindlinRescaleTangential
                               (stiffness * contact.time_step) * contact.tangent_velocity;
         vectors[0] = friction_.limit(norm(trial), normal.limit, scalars[0]) * trial;
         scalars[1] = contact.overlap;
-        double const viscous =
-            (1 - scalars[0]) * damping_ * std::sqrt(stiffness * contact.effective_mass);
+        double const viscous = (1 - scalars[0]) * damping_ * std::sqrt(stiffness * contact.effective_mass);
         return vectors[0] + viscous * contact.tangent_velocity;
     }
 
