@@ -28,10 +28,10 @@ struct Range
     double width() const { return std::max(0.0, upper - lower); }
 };
 
-//! What a picture shows, the same for all snapshots of a run.
+//! What a picture shows, the same for all snapshots of a run: the particles with some room around them.
 struct Frame
 {
-    std::array<Range, 3> along; //!< extents of particles and walls [m]
+    std::array<Range, 3> along; //!< extents of the particles, of walls where there are none [m]
 
     explicit Frame(std::vector<rig::Snapshot> const& snapshots)
     {
@@ -39,12 +39,20 @@ struct Frame
             include_particles(along[0], snapshot.x, snapshot.radius);
             include_particles(along[1], snapshot.y, snapshot.radius);
             include_particles(along[2], snapshot.z, snapshot.radius);
+        }
+        if (along[0].width() > 0) return;
+        for (auto const& snapshot : snapshots)
             for (auto const& wall : snapshot.walls)
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     along[axis].include(wall[axis]);
                     along[axis].include(wall[axis + 3]);
                 }
-        }
+    }
+    //! The part of an axis that is shown.
+    Range shown(std::size_t axis) const
+    {
+        double const room = 0.04 * std::max(along[across()].width(), along[2].width());
+        return {along[axis].lower - room, along[axis].upper + room};
     }
     //! Axis across the picture, the wider one (0: x, 1: y).
     std::size_t across() const { return along[0].width() >= along[1].width() ? 0 : 1; }
@@ -53,7 +61,7 @@ struct Frame
     //! Unit of lengths in the picture [m].
     double quantum() const
     {
-        return std::max({along[across()].width(), along[2].width(), 1e-12}) / resolution;
+        return std::max({shown(across()).width(), shown(2).width(), 1e-12}) / resolution;
     }
 
   private:
@@ -90,8 +98,7 @@ std::vector<long> layers_of(rig::Snapshot const& first, rig::Snapshot const& sna
 
 json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame const& frame)
 {
-    auto const& horizontal = frame.along[frame.across()];
-    auto const& vertical = frame.along[2];
+    Range const horizontal = frame.shown(frame.across()), vertical = frame.shown(2);
     auto const& into = frame.along[frame.into()];
     auto const& across = frame.across() == 0 ? snapshot.x : snapshot.y;
     auto const& depth = frame.across() == 0 ? snapshot.y : snapshot.x;

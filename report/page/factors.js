@@ -122,7 +122,7 @@ function show_response_row(parent, target) {
     });
 }
 
-// 1 on the surrogate's slice along factor `index`, towards 0.25 for runs whose other factors are far from it.
+// 1 on the surrogate's slice along factor `index`, towards 0.4 for runs whose other factors are far from it.
 function closeness(run, index) {
     const centre = campaign.surrogate && campaign.optimum.predicted_point;
     if (!centre) return 0.8;
@@ -130,7 +130,7 @@ function closeness(run, index) {
     campaign.factors.forEach((factor, other) => {
         if (other !== index) square += (place_in_range(factor, run.factors[other]) - place_in_range(factor, centre[other])) ** 2;
     });
-    return 0.25 + 0.75 * Math.exp(-square / (2 * 0.2 ** 2));
+    return 0.4 + 0.6 * Math.exp(-square / (2 * 0.2 ** 2));
 }
 
 function show_response(parent, target, factor, index, runs, domain, width) {

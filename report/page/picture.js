@@ -35,19 +35,15 @@ function draw_picture(canvas, picture, shade) {
         context.stroke();
     }
     context.strokeStyle = '#3c4754';
-    for (const [h0, v0, h1, v1] of picture.walls) {
-        const edge = h0 === h1 || v0 === v1; // seen edge on; others are panes between the viewer and the particles
-        context.lineWidth = edge ? 3 : 0.6;
+    context.lineWidth = 3;
+    const edges = picture.walls.filter(([h0, v0, h1, v1]) => h0 === h1 || v0 === v1); // the others are panes in front
+    for (const [h0, v0, h1, v1] of edges) {
         context.beginPath();
-        if (edge) {
-            context.moveTo(h(h0), v(v0));
-            context.lineTo(h(h1), v(v1));
-        } else {
-            context.rect(h(h0), v(v1), (h1 - h0) * scale, (v1 - v0) * scale);
-        }
+        context.moveTo(h(h0), v(v0));
+        context.lineTo(h(h1), v(v1));
         context.stroke();
     }
-    canvas.dataset.marks = particles.h.length + picture.walls.length;
+    canvas.dataset.marks = particles.h.length + edges.length;
 }
 
 function show_pictures(parent) {

@@ -54,11 +54,11 @@ function duration(seconds) {
 }
 
 const plural = (count, word) => count + ' ' + word + (count === 1 ? '' : 's');
-const printed_units = (units) => ({deg: '°', rad: 'rad', '1': '', '': ''}[units] ?? units);
+const printed_units = (units) => ({deg: '°', '1': ''}[units] ?? units.replace('^2', '²').replace('^3', '³'));
 
 // 'mass_flow_kg_s' with units 'kg/s' is 'mass flow' in words.
 function words_of(name, units = '') {
-    const suffix = '_' + units.replace(/[^A-Za-z0-9]+/g, '_');
+    const suffix = '_' + units.replace(/\^/g, '').replace(/[^A-Za-z0-9]+/g, '_');
     const bare = suffix.length > 1 && name.endsWith(suffix) ? name.slice(0, -suffix.length) : name;
     return bare.replace(/_/g, ' ');
 }
