@@ -12,7 +12,7 @@ case "${1-}" in
 esac
 
 install_packages build
-build demens
+build demens -DDEMENS_TESTS=OFF
 
 demens=$root/build/release/demens
 campaign=$root/out/quickstart/drawdown-quartz.h5

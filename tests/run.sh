@@ -6,5 +6,5 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 source "$root/cmake/setup.sh"
 
 install_packages build test
-build all
+build all -DDEMENS_TESTS=ON
 exec ctest --test-dir "$root/build/release" --label-exclude '^long$' --parallel "$(nproc)" --output-on-failure "$@"
