@@ -21,7 +21,5 @@ mkdir -p "$(dirname "$campaign")"
 [ "${1-}" != --fresh ] || rm -rf "$(dirname "$campaign")"/*
 [ -e "$campaign" ] || "$demens" new "$root/inputs/drawdown-quartz/quick.toml" --output "$campaign"
 mpirun -n 2 "$demens" "$campaign"
-"$demens" report "$campaign" --output "$report"
-echo
-"$demens" status "$campaign"
+"$demens" report "$campaign" --output "$report" >/dev/null
 echo "Report: $report"
