@@ -34,11 +34,13 @@ class VtkFramesTest : public testing::Test
 };
 
 //! Reads an appended array as the VTK file format describes it: length as 64 bits, then the values.
-template <typename T> std::vector<T> array_of(std::string const& file, std::string const& name)
+template <typename T>
+std::vector<T> array_of(std::string const& file, std::string const& name)
 {
     std::smatch match;
     std::string const xml = file.substr(0, file.find("<AppendedData"));
-    if (!std::regex_search(xml, match, std::regex("Name=\"" + name + "\"[^>]*offset=\"(\\d+)\""))) return {};
+    if (!std::regex_search(xml, match, std::regex("Name=\"" + name + "\"[^>]*offset=\"(\\d+)\"")))
+        return {};
     std::size_t const data = file.find('_', xml.size()) + 1 + std::stoul(match[1]);
     std::uint64_t length = 0;
     std::memcpy(&length, file.data() + data, sizeof(length));
