@@ -153,16 +153,14 @@ void gather_wall_contacts(ContactBlock& b, ContactList const& list, Particles co
         Place const& p = particles.place[list.first[slot]];
         Motion const& m = particles.motion[list.first[slot]];
         Wall const& wall = walls[list.second[slot]];
-        Vector3 const position{p.x, p.y, p.z};
-        Vector3 offset = position - wall.nearest(position);
-        if (norm_squared(offset) == 0) // the centre is on the wall: push along its normal
-            offset = 1e-9 * p.radius * wall.normal();
+        Vector3 const offset = list.offset[slot];
+        Vector3 const surface = wall.surface_velocity(Vector3{p.x, p.y, p.z} - offset);
         b.dx[l] = offset.x, b.dy[l] = offset.y, b.dz[l] = offset.z;
         b.radius_i[l] = b.radius_j[l] = p.radius;
         b.mass_i[l] = m.mass, b.mass_j[l] = 1e300;
-        b.vx[l] = m.vx - wall.velocity.x;
-        b.vy[l] = m.vy - wall.velocity.y;
-        b.vz[l] = m.vz - wall.velocity.z;
+        b.vx[l] = m.vx - surface.x;
+        b.vy[l] = m.vy - surface.y;
+        b.vz[l] = m.vz - surface.z;
         b.wix[l] = m.wx, b.wiy[l] = m.wy, b.wiz[l] = m.wz;
         b.wjx[l] = b.wjy[l] = b.wjz[l] = 0;
     }
@@ -171,14 +169,19 @@ void gather_wall_contacts(ContactBlock& b, ContactList const& list, Particles co
 }
 
 void scatter_wall_contacts(ContactBlock const& b, ContactList& list, Particles& particles,
-                           std::vector<Vector3>& wall_forces)
+                           std::vector<Wall> const& walls, std::vector<WallLoad>& wall_loads)
 {
     auto const stride = static_cast<std::size_t>(list.state_size);
     for (int l = 0; l < b.count; ++l) {
-        Load& i = particles.load[list.first[b.slot[l]]];
-        i.fx += b.fx[l], i.fy += b.fy[l], i.fz += b.fz[l];
-        i.tx += b.tix[l], i.ty += b.tiy[l], i.tz += b.tiz[l];
-        wall_forces[list.second[b.slot[l]]] -= {b.fx[l], b.fy[l], b.fz[l]};
+        std::uint32_t const first = list.first[b.slot[l]], second = list.second[b.slot[l]];
+        Vector3 const force{b.fx[l], b.fy[l], b.fz[l]}, torque{b.tix[l], b.tiy[l], b.tiz[l]};
+        Load& i = particles.load[first];
+        i.fx += force.x, i.fy += force.y, i.fz += force.z;
+        i.tx += torque.x, i.ty += torque.y, i.tz += torque.z;
+        Place const& p = particles.place[first];
+        WallLoad& wall = wall_loads[second];
+        wall.force -= force;
+        wall.torque -= cross(Vector3{p.x, p.y, p.z} - walls[second].pivot, force) + torque;
     }
     for (int l = 0; l < b.count; l += 4)
         store_history(b, l, b.count - l < 4 ? b.count - l : 4, list.state.data(), stride);

@@ -1,5 +1,7 @@
 #include "demens/dem/neighbours.hpp"
 
+#include "demens/dem/wall_contacts.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -177,17 +179,9 @@ void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector
         Wall const& wall = walls[w];
         if (!wall.active)
             continue;
-        Vector3 const normal = wall.normal();
-        for (std::uint32_t i = 0; i < particles.size(); ++i) {
-            Place const& p = particles.place[i];
-            Vector3 const position{p.x, p.y, p.z};
-            double const reach = p.radius + skin;
-            if (std::abs(dot(position - wall.centre, normal)) >= reach)
-                continue;
-            if (norm_squared(position - wall.nearest(position)) < reach * reach)
-                add_pair(lists[pair_lists + interaction_[particles.material[i] * materials_ + wall.material]],
-                         i, w);
-        }
+        for (std::uint32_t const i : particles_near(wall, particles, skin))
+            add_pair(lists[pair_lists + interaction_[particles.material[i] * materials_ + wall.material]], i,
+                     w);
     }
 }
 

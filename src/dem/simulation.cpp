@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "demens/dem/block_transfer.hpp"
+#include "demens/dem/wall_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,7 @@ std::uint32_t Simulation::add_particle(Vector3 const& position, double radius, s
 std::uint32_t Simulation::add_wall(Wall const& wall)
 {
     walls_.push_back(wall);
-    wall_forces_.push_back({});
+    wall_loads_.push_back({});
     list_is_stale_ = true;
     return static_cast<std::uint32_t>(walls_.size() - 1);
 }
@@ -165,8 +166,8 @@ void Simulation::move()
     double fastest_wall = 0;
     for (Wall& wall : walls_)
         if (wall.active) {
-            wall.centre += dt * wall.velocity;
-            fastest_wall = std::max(fastest_wall, norm(wall.velocity));
+            advance(wall, dt);
+            fastest_wall = std::max(fastest_wall, displacement_speed(wall));
         }
     travelled_ += dt * std::max(fastest, 0.5 * (fastest + fastest_wall));
 }
@@ -192,7 +193,7 @@ void Simulation::rebuild_if_needed()
 void Simulation::compute_loads()
 {
     std::fill(particles_.load.begin(), particles_.load.end(), Load{});
-    std::fill(wall_forces_.begin(), wall_forces_.end(), Vector3{});
+    std::fill(wall_loads_.begin(), wall_loads_.end(), WallLoad{});
     for (ContactList& list : lists_)
         compute_contacts(list);
 }
@@ -211,17 +212,8 @@ void Simulation::compute_contacts(ContactList& list)
         std::tie(now, parted) = test_pairs(particles_.place.data(), list.first.data(), list.second.data(),
                                            list.touching.data(), count, touching_.data(), parted_.data());
     } else {
-        for (std::size_t s = 0; s < count; ++s) {
-            Place const& p = particles_.place[list.first[s]];
-            Vector3 const position{p.x, p.y, p.z};
-            Vector3 const offset = position - walls_[list.second[s]].nearest(position);
-            bool const touches = norm_squared(offset) < p.radius * p.radius;
-            touching_[now] = static_cast<std::uint32_t>(s);
-            now += touches;
-            parted_[parted] = static_cast<std::uint32_t>(s);
-            parted += list.touching[s] & !touches;
-            list.touching[s] = touches;
-        }
+        std::tie(now, parted) =
+            test_wall_contacts(list, particles_, walls_, touching_.data(), parted_.data());
     }
     auto const state_size = static_cast<std::size_t>(list.state_size);
     for (std::size_t k = 0; k < parted; ++k)
@@ -242,7 +234,7 @@ void Simulation::compute_contacts(ContactList& list)
         largest_overlap_ = std::max(largest_overlap_, derive_geometry(block, list.with_wall));
         evaluate_laws(block, laws, options_.time_step);
         if (list.with_wall)
-            scatter_wall_contacts(block, list, particles_, wall_forces_);
+            scatter_wall_contacts(block, list, particles_, walls_, wall_loads_);
         else
             scatter_pairs(block, list, particles_);
     }

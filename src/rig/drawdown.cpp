@@ -182,29 +182,29 @@ MovingWalls add_walls(dem::Simulation& simulation, Drawdown const& rig, double t
     double const beyond = 0.05; // floors reach past the sides, so that no sphere meets an edge there
     double const half_depth = 0.5 * rig.depth + beyond;
     auto const floor = [&](double from_x, double to_x, double z) {
-        return dem::Wall{.centre = {0.5 * (from_x + to_x), 0, z},
-                         .axis_u = {1, 0, 0},
-                         .axis_v = {0, 1, 0},
-                         .half_u = 0.5 * (to_x - from_x),
-                         .half_v = half_depth,
+        return dem::Wall{.shape = dem::Rectangle{.centre = {0.5 * (from_x + to_x), 0, z},
+                                                 .axis_u = {1, 0, 0},
+                                                 .axis_v = {0, 1, 0},
+                                                 .half_u = 0.5 * (to_x - from_x),
+                                                 .half_v = half_depth},
                          .material = wood};
     };
     auto const side = [&](double x, double from_z, double to_z) {
-        return dem::Wall{.centre = {x, 0, 0.5 * (from_z + to_z)},
-                         .axis_u = {0, 1, 0},
-                         .axis_v = {0, 0, 1},
-                         .half_u = half_depth,
-                         .half_v = 0.5 * (to_z - from_z),
+        return dem::Wall{.shape = dem::Rectangle{.centre = {x, 0, 0.5 * (from_z + to_z)},
+                                                 .axis_u = {0, 1, 0},
+                                                 .axis_v = {0, 0, 1},
+                                                 .half_u = half_depth,
+                                                 .half_v = 0.5 * (to_z - from_z)},
                          .material = wood};
     };
     double const half = 0.5 * rig.width, half_slot = 0.5 * rig.slot, half_lower = 0.5 * rig.lower_width;
     double const widest = std::max(half, half_lower) + beyond;
     for (double const y : {-0.5 * rig.depth, 0.5 * rig.depth})
-        simulation.add_wall({.centre = {0, y, 0.5 * (top - rig.drop)},
-                             .axis_u = {0, 0, 1},
-                             .axis_v = {1, 0, 0},
-                             .half_u = 0.5 * (top + rig.drop) + beyond,
-                             .half_v = widest,
+        simulation.add_wall({.shape = dem::Rectangle{.centre = {0, y, 0.5 * (top - rig.drop)},
+                                                     .axis_u = {0, 0, 1},
+                                                     .axis_v = {1, 0, 0},
+                                                     .half_u = 0.5 * (top + rig.drop) + beyond,
+                                                     .half_v = widest},
                              .material = glass});
     simulation.add_wall(floor(-half - beyond, -half_slot, 0));
     simulation.add_wall(floor(half_slot, half + beyond, 0));
@@ -263,12 +263,13 @@ void fill(dem::Simulation& simulation, StageRunner& stages, Drawdown const& rig,
     if (top > level) {
         dem::Wall lid = simulation.walls()[moving.lid];
         double const duration = 0.1;
-        lid.centre.z = top;
+        auto& plate = std::get<dem::Rectangle>(lid.shape);
+        plate.centre.z = top;
         lid.velocity = {0, 0, -(top - level) / duration};
         lid.active = true;
         simulation.set_wall(moving.lid, lid);
         stages.run_for("level", duration);
-        lid.centre.z = level;
+        plate.centre.z = level;
         lid.velocity = {};
         simulation.set_wall(moving.lid, lid);
         stages.run_until("level", 5, rests);

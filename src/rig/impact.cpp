@@ -62,11 +62,7 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
     simulation.add_particle({0, 0, radius * (1 + 1e-12)}, radius,
                             material_index(input.model, o.text("material")), {tangential, 0, -normal},
                             {0, -o.number("spin_rad_s"), 0});
-    simulation.add_wall({.centre = {0, 0, 0},
-                         .axis_u = {1, 0, 0},
-                         .axis_v = {0, 1, 0},
-                         .half_u = 1e6,
-                         .half_v = 1e6,
+    simulation.add_wall({.shape = dem::Rectangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1e6, 1e6},
                          .material = material_index(input.model, o.text("wall_material"))});
     result.particles = 1;
     double largest = 0;

@@ -96,8 +96,11 @@ Snapshot take_snapshot(dem::Simulation const& simulation, std::string name)
     for (dem::Wall const& wall : simulation.walls()) {
         if (!wall.active)
             continue;
-        Vector3 const diagonal = wall.half_u * wall.axis_u + wall.half_v * wall.axis_v;
-        Vector3 const a = wall.centre - diagonal, b = wall.centre + diagonal;
+        auto const* plate = std::get_if<dem::Rectangle>(&wall.shape);
+        if (plate == nullptr)
+            continue;
+        Vector3 const diagonal = plate->half_u * plate->axis_u + plate->half_v * plate->axis_v;
+        Vector3 const a = plate->centre - diagonal, b = plate->centre + diagonal;
         snapshot.walls.push_back({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z),
                                   std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)});
     }

@@ -73,12 +73,8 @@ inline Collision hit_plane(contact::Model const& model, Sphere const& sphere, do
     dem::Simulation simulation(model, {.time_step = time_step, .gravity = {}, .skin = 0.1 * sphere.radius});
     simulation.add_particle({0, 0, sphere.radius * (1 + 1e-9)}, sphere.radius, sphere.material,
                             sphere.velocity, sphere.spin);
-    simulation.add_wall({.centre = {},
-                         .axis_u = {1, 0, 0},
-                         .axis_v = {0, 1, 0},
-                         .half_u = 1e6,
-                         .half_v = 1e6,
-                         .material = wall_material});
+    simulation.add_wall(
+        {.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1e6, 1e6}, .material = wall_material});
     return collide(simulation, true);
 }
 

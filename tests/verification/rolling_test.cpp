@@ -33,8 +33,7 @@ dem::Simulation lying_sphere(contact::PairProperties const& p, Vector3 const& gr
     double const modulus = 1e7 / (2 * (1 - 0.09));
     double const overlap = std::pow(-gravity.z * mass * 0.75 / (modulus * std::sqrt(radius)), 2.0 / 3);
     simulation.add_particle({0, 0, radius - overlap}, radius, 0, velocity, spin);
-    simulation.add_wall(
-        {.centre = {}, .axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}, .half_u = 1e6, .half_v = 1e6});
+    simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1e6, 1e6}});
     return simulation;
 }
 
@@ -132,8 +131,7 @@ TEST(Rest, FloorCarriesTheWeight)
         }
         double const side = 6 * 0.021;
         auto const wall = [&](Vector3 centre, Vector3 u, Vector3 v) {
-            return simulation.add_wall(
-                {.centre = centre, .axis_u = u, .axis_v = v, .half_u = 1, .half_v = 1});
+            return simulation.add_wall({.shape = dem::Rectangle{centre, u, v, 1, 1}});
         };
         auto const floor = wall({}, {1, 0, 0}, {0, 1, 0});
         std::uint32_t const sides[] = {
@@ -144,9 +142,9 @@ TEST(Rest, FloorCarriesTheWeight)
         double carried = 0;
         for (int k = 0; k < 1000; ++k) {
             simulation.step();
-            carried -= simulation.wall_forces()[floor].z / 1000;
+            carried -= simulation.wall_loads()[floor].force.z / 1000;
             for (auto const number : sides)
-                carried -= simulation.wall_forces()[number].z / 1000;
+                carried -= simulation.wall_loads()[number].force.z / 1000;
         }
         EXPECT_NEAR(carried, mass * g, 2e-3 * mass * g) << static_cast<int>(normal);
     }

@@ -70,5 +70,12 @@ DEMENS_FUNCTION inline double norm(Vector3 const& a)
 {
     return std::sqrt(norm_squared(a));
 }
+//! A unit vector at a right angle to a unit vector.
+DEMENS_FUNCTION inline Vector3 any_normal_to(Vector3 const& axis)
+{
+    Vector3 const other = axis.x * axis.x < 0.5 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
+    Vector3 const across = other - dot(other, axis) * axis;
+    return across / norm(across);
+}
 
 } // namespace demens

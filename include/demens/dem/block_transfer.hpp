@@ -22,6 +22,6 @@ void gather_wall_contacts(ContactBlock& block, ContactList const& list, Particle
 void scatter_pairs(ContactBlock const& block, ContactList& list, Particles& particles);
 //! The same for contacts with walls.
 void scatter_wall_contacts(ContactBlock const& block, ContactList& list, Particles& particles,
-                           std::vector<Vector3>& wall_forces);
+                           std::vector<Wall> const& walls, std::vector<WallLoad>& wall_loads);
 
 } // namespace demens::dem

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "demens/base/vector3.hpp"
+
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +19,7 @@ struct ContactList
     std::vector<std::uint32_t> first{}, second{};
     std::vector<std::uint8_t> touching{}; //!< 1: touched in the last step, its history counts
     std::vector<double> state{};          //!< size() x state_size; zero where not touching
+    std::vector<Vector3> offset{};        //!< walls: from the nearest point of the wall to the centre [m]
 
     std::size_t size() const { return first.size(); }
     void clear()
@@ -25,6 +28,7 @@ struct ContactList
         second.clear();
         touching.clear();
         state.clear();
+        offset.clear();
     }
     //! Adds a pair without history.
     void add(std::uint32_t i, std::uint32_t j)
@@ -33,6 +37,8 @@ struct ContactList
         second.push_back(j);
         touching.push_back(0);
         state.resize(state.size() + static_cast<std::size_t>(state_size), 0.0);
+        if (with_wall)
+            offset.push_back({});
     }
 };
 

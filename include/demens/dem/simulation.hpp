@@ -65,8 +65,8 @@ class Simulation
     SimulationOptions const& options() const { return options_; }
     Particles const& particles() const { return particles_; }
     std::vector<Wall> const& walls() const { return walls_; }
-    //! Force of the particles on each wall in the last step [N].
-    std::vector<Vector3> const& wall_forces() const { return wall_forces_; }
+    //! Force and torque of the particles on each wall in the last step.
+    std::vector<WallLoad> const& wall_loads() const { return wall_loads_; }
     //! Velocity and spin of particle number k (not id) at the time of its place [m/s], [rad/s].
     Vector3 velocity(std::size_t k) const;
     Vector3 spin(std::size_t k) const;
@@ -90,7 +90,7 @@ class Simulation
     std::vector<std::uint32_t> interaction_; //!< law set of materials (a, b) at a * materials + b
     Particles particles_;
     std::vector<Wall> walls_;
-    std::vector<Vector3> wall_forces_;
+    std::vector<WallLoad> wall_loads_;
     std::vector<ContactList> lists_;               //!< among particles, then with walls
     std::vector<std::uint32_t> touching_, parted_; //!< slots found by the pair test
     std::unique_ptr<NeighbourSearch> search_;

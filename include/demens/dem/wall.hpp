@@ -1,35 +1,39 @@
 #pragma once
 
-#include "demens/base/macros.hpp"
-#include "demens/base/vector3.hpp"
+#include "demens/dem/wall_shape.hpp"
 
 #include <cstdint>
 
 namespace demens::dem {
 
-//! A rigid rectangle, solid from both sides; a plane is a rectangle larger than the domain. It touches a
-//! sphere at its point nearest to the centre: on its face, an edge or a corner.
+//! A rigid surface with prescribed motion.
 struct Wall
 {
-    Vector3 centre;         //!< [m]
-    Vector3 axis_u, axis_v; //!< orthogonal unit vectors along the sides
-    double half_u, half_v;  //!< half lengths of the sides [m]
+    WallShape shape;
     std::uint32_t material = 0;
-    Vector3 velocity = {}; //!< prescribed translation [m/s]
+    Vector3 velocity = {}; //!< of the pivot [m/s]
+    Vector3 spin = {};     //!< [rad/s]
+    Vector3 pivot = {};    //!< point of the wall about which it turns and torques are counted [m]
+    Vector3 belt = {};     //!< velocity of a surface that runs over the wall, e.g. a conveyor [m/s]
     bool active = true;    //!< an inactive wall touches nothing
 
-    DEMENS_FUNCTION Vector3 normal() const { return cross(axis_u, axis_v); }
-
-    //! Point of the rectangle nearest to p [m].
-    DEMENS_INLINE DEMENS_FUNCTION Vector3 nearest(Vector3 const& p) const
+    //! Velocity of the surface at p [m/s].
+    DEMENS_INLINE DEMENS_FUNCTION Vector3 surface_velocity(Vector3 const& p) const
     {
-        Vector3 const relative = p - centre;
-        double const a = dot(relative, axis_u);
-        double const b = dot(relative, axis_v);
-        double const u = a < -half_u ? -half_u : a > half_u ? half_u : a;
-        double const v = b < -half_v ? -half_v : b > half_v ? half_v : b;
-        return centre + u * axis_u + v * axis_v;
+        return velocity + belt + cross(spin, p - pivot);
     }
 };
+
+//! What the particles do to a wall.
+struct WallLoad
+{
+    Vector3 force;  //!< [N]
+    Vector3 torque; //!< about the wall's pivot [N m]
+};
+
+//! Bound on how fast any part of the shape changes its place [m/s]; a drum that turns about its axis stays.
+double displacement_speed(Wall const& wall);
+//! Moves the wall by its velocity and spin for some time [s].
+void advance(Wall& wall, double duration);
 
 } // namespace demens::dem

@@ -104,18 +104,9 @@ TEST(Neighbours, WallsListTheParticlesWithinReach)
 {
     auto particles = random_particles(200, 6, 9);
     auto lists = empty_lists();
-    std::vector<dem::Wall> const walls = {{.centre = {3, 3, 1},
-                                           .axis_u = {1, 0, 0},
-                                           .axis_v = {0, 1, 0},
-                                           .half_u = 1,
-                                           .half_v = 2,
-                                           .material = 1},
-                                          {.centre = {3, 3, 1},
-                                           .axis_u = {1, 0, 0},
-                                           .axis_v = {0, 1, 0},
-                                           .half_u = 9,
-                                           .half_v = 9,
-                                           .active = false}};
+    std::vector<dem::Wall> const walls = {
+        {.shape = dem::Rectangle{{3, 3, 1}, {1, 0, 0}, {0, 1, 0}, 1, 2}, .material = 1},
+        {.shape = dem::Rectangle{{3, 3, 1}, {1, 0, 0}, {0, 1, 0}, 9, 9}, .active = false}};
     dem::NeighbourSearch search(2, {0, 1, 2, 3});
     search.rebuild(particles, walls, 0.1, lists);
     std::size_t found = 0, expected = 0;
@@ -145,8 +136,7 @@ TEST(Neighbours, MotionDoesNotDependOnTheSkin)
             simulation.add_particle({0.02 * (k % 4) + 1e-3 * random.uniform(),
                                      0.02 * (k / 4 % 4) + 1e-3 * random.uniform(), 0.011 + 0.021 * (k / 16)},
                                     0.0095, 0);
-        simulation.add_wall(
-            {.centre = {}, .axis_u = {1, 0, 0}, .axis_v = {0, 1, 0}, .half_u = 1, .half_v = 1});
+        simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
         simulation.steps(8000);
         std::vector<Vector3> places(60);
         for (std::size_t k = 0; k < 60; ++k)

@@ -1,0 +1,135 @@
+#pragma once
+
+#include "demens/base/rotation.hpp"
+
+#include <array>
+#include <variant>
+
+namespace demens::dem {
+
+// Surfaces without thickness; each touches a sphere at its point nearest to the centre, from either side.
+
+//! A flat rectangle; a plane is a rectangle larger than the domain.
+struct Rectangle
+{
+    Vector3 centre;         //!< [m]
+    Vector3 axis_u, axis_v; //!< orthogonal unit vectors along the sides
+    double half_u, half_v;  //!< half lengths of the sides [m]
+};
+
+//! A flat disc.
+struct Disc
+{
+    Vector3 centre; //!< [m]
+    Vector3 axis;   //!< unit normal
+    double radius;  //!< [m]
+};
+
+//! The lateral surface of a cylinder, open at both ends.
+struct Cylinder
+{
+    Vector3 centre;     //!< middle of the axis [m]
+    Vector3 axis;       //!< unit vector
+    double half_length; //!< [m]
+    double radius;      //!< [m]
+};
+
+//! The lateral surface of a cone or of a frustum of one, open at both ends.
+struct Cone
+{
+    Vector3 centre;      //!< middle of the axis [m]
+    Vector3 axis;        //!< unit vector
+    double half_length;  //!< [m]
+    double radius_start; //!< at centre - half_length axis [m]
+    double radius_end;   //!< at centre + half_length axis [m]
+};
+
+using WallShape = std::variant<Rectangle, Disc, Cylinder, Cone>;
+
+//! The six sides of a container along the axes, to be touched from inside.
+std::array<Rectangle, 6> box_sides(Vector3 const& lower, Vector3 const& upper);
+
+//! A straight line that makes a round shape when it turns about the axis: height along the axis from the
+//! centre and distance from the axis, at either end [m].
+struct Meridian
+{
+    double height_start, radius_start, height_end, radius_end;
+};
+DEMENS_FUNCTION constexpr Meridian meridian(Disc const& disc)
+{
+    return {0, 0, 0, disc.radius};
+}
+DEMENS_FUNCTION constexpr Meridian meridian(Cylinder const& cylinder)
+{
+    return {-cylinder.half_length, cylinder.radius, cylinder.half_length, cylinder.radius};
+}
+DEMENS_FUNCTION constexpr Meridian meridian(Cone const& cone)
+{
+    return {-cone.half_length, cone.radius_start, cone.half_length, cone.radius_end};
+}
+
+//! A shape that a turn about its own axis maps onto itself.
+template <class Shape>
+concept RoundShape = requires(Shape const& shape)
+{
+    meridian(shape);
+};
+
+//! Unit vector from the axis of a round shape towards a point; on the axis, any one.
+template <RoundShape Shape>
+DEMENS_INLINE DEMENS_FUNCTION Vector3 outwards(Shape const& shape, Vector3 const& p)
+{
+    Vector3 const relative = p - shape.centre;
+    Vector3 const radial = relative - dot(relative, shape.axis) * shape.axis;
+    double const distance = norm(radial);
+    return distance > 0 ? radial / distance : any_normal_to(shape.axis);
+}
+
+//! Point of the shape nearest to p [m].
+DEMENS_INLINE DEMENS_FUNCTION Vector3 nearest(Rectangle const& r, Vector3 const& p)
+{
+    Vector3 const relative = p - r.centre;
+    double const a = dot(relative, r.axis_u);
+    double const b = dot(relative, r.axis_v);
+    double const u = a < -r.half_u ? -r.half_u : a > r.half_u ? r.half_u : a;
+    double const v = b < -r.half_v ? -r.half_v : b > r.half_v ? r.half_v : b;
+    return r.centre + u * r.axis_u + v * r.axis_v;
+}
+template <RoundShape Shape>
+DEMENS_INLINE DEMENS_FUNCTION Vector3 nearest(Shape const& shape, Vector3 const& p)
+{
+    Meridian const m = meridian(shape);
+    Vector3 const relative = p - shape.centre;
+    Vector3 const out = outwards(shape, p);
+    double const height = dot(relative, shape.axis), distance = dot(relative, out);
+    double const dh = m.height_end - m.height_start, dr = m.radius_end - m.radius_start;
+    double const along =
+        ((height - m.height_start) * dh + (distance - m.radius_start) * dr) / (dh * dh + dr * dr);
+    double const t = along < 0 ? 0 : along > 1 ? 1 : along;
+    return shape.centre + (m.height_start + t * dh) * shape.axis + (m.radius_start + t * dr) * out;
+}
+
+//! Unit normal of the shape at its point nearest to p.
+DEMENS_FUNCTION inline Vector3 normal(Rectangle const& r, Vector3 const&)
+{
+    return cross(r.axis_u, r.axis_v);
+}
+template <RoundShape Shape>
+DEMENS_FUNCTION Vector3 normal(Shape const& shape, Vector3 const& p)
+{
+    Meridian const m = meridian(shape);
+    Vector3 const across =
+        (m.height_end - m.height_start) * outwards(shape, p) - (m.radius_end - m.radius_start) * shape.axis;
+    return across / norm(across);
+}
+
+//! Distance of the farthest point from the centre [m].
+double extent(WallShape const& shape);
+//! The shape put elsewhere.
+WallShape placed(WallShape const& shape, Placement const& placement);
+//! The shape's centre [m].
+Vector3 centre(WallShape const& shape);
+//! The part of a spin that moves the shape: all of it, or for a round one the part across its axis [rad/s].
+Vector3 displacing_spin(WallShape const& shape, Vector3 const& spin);
+
+} // namespace demens::dem

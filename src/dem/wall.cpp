@@ -1,0 +1,102 @@
+#include "demens/dem/wall.hpp"
+
+#include <cmath>
+
+namespace demens::dem {
+
+std::array<Rectangle, 6> box_sides(Vector3 const& lower, Vector3 const& upper)
+{
+    Vector3 const middle = 0.5 * (lower + upper), half = 0.5 * (upper - lower);
+    Vector3 const x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+    return {{{{lower.x, middle.y, middle.z}, y, z, half.y, half.z},
+             {{upper.x, middle.y, middle.z}, y, z, half.y, half.z},
+             {{middle.x, lower.y, middle.z}, z, x, half.z, half.x},
+             {{middle.x, upper.y, middle.z}, z, x, half.z, half.x},
+             {{middle.x, middle.y, lower.z}, x, y, half.x, half.y},
+             {{middle.x, middle.y, upper.z}, x, y, half.x, half.y}}};
+}
+
+namespace {
+
+double extent_of(Rectangle const& r)
+{
+    return std::hypot(r.half_u, r.half_v);
+}
+template <RoundShape Shape>
+double extent_of(Shape const& shape)
+{
+    Meridian const m = meridian(shape);
+    return std::fmax(std::hypot(m.height_start, m.radius_start), std::hypot(m.height_end, m.radius_end));
+}
+
+void place(Rectangle& r, Placement const& placement)
+{
+    r.centre = placement(r.centre);
+    r.axis_u = placement.rotation(r.axis_u);
+    r.axis_v = placement.rotation(r.axis_v);
+}
+template <RoundShape Shape>
+void place(Shape& shape, Placement const& placement)
+{
+    shape.centre = placement(shape.centre);
+    shape.axis = placement.rotation(shape.axis);
+}
+
+} // namespace
+
+double extent(WallShape const& shape)
+{
+    return std::visit([](auto const& s) { return extent_of(s); }, shape);
+}
+
+WallShape placed(WallShape const& shape, Placement const& placement)
+{
+    WallShape result = shape;
+    std::visit([&](auto& s) { place(s, placement); }, result);
+    return result;
+}
+
+Vector3 centre(WallShape const& shape)
+{
+    return std::visit([](auto const& s) { return s.centre; }, shape);
+}
+
+Vector3 displacing_spin(WallShape const& shape, Vector3 const& spin)
+{
+    return std::visit(
+        [&]<class Shape>(Shape const& s) {
+            if constexpr (RoundShape<Shape>) {
+                Vector3 const across = spin - dot(spin, s.axis) * s.axis;
+                // What is left of a spin along a tilted axis is rounding.
+                return norm_squared(across) > 1e-24 * norm_squared(spin) ? across : Vector3{};
+            } else {
+                return spin;
+            }
+        },
+        shape);
+}
+
+double displacement_speed(Wall const& wall)
+{
+    double const size = extent(wall.shape), turning = norm(wall.spin);
+    Vector3 const arm = centre(wall.shape) - wall.pivot;
+    double const of_centre = norm(wall.velocity + cross(wall.spin, arm));
+    double const rounding = 1e-12 * (norm(wall.velocity) + turning * (norm(arm) + size));
+    double const speed = of_centre + norm(displacing_spin(wall.shape, wall.spin)) * size;
+    return speed > rounding ? speed : 0;
+}
+
+void advance(Wall& wall, double duration)
+{
+    if (displacement_speed(wall) > 0) {
+        Vector3 const shift = duration * wall.velocity;
+        double const rate = norm(wall.spin);
+        Placement to{{}, shift};
+        if (rate > 0)
+            to = to * turn_about(wall.pivot, wall.spin / rate, duration * rate);
+        wall.shape = placed(wall.shape, to);
+    }
+    wall.pivot += duration * wall.velocity;
+}
+
+} // namespace demens::dem

@@ -1,0 +1,111 @@
+// Walls that move: their surface velocity enters the contact, and what they feel balances what they do.
+#include "demens/base/random.hpp"
+#include "support/impact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace {
+
+using namespace demens;
+
+constexpr double g = 9.81, r = 0.01;
+
+contact::Model stone(double friction, double rolling_friction = 0)
+{
+    contact::PairProperties pair;
+    pair.static_friction = pair.kinetic_friction = friction;
+    pair.rolling = rolling_friction > 0 ? contact::RollingLaw::constant_torque : contact::RollingLaw::none;
+    pair.rolling_friction = rolling_friction;
+    return demens::testing::one_material({"stone", 2500, 1e7, 0.3}, pair);
+}
+
+double const mass = 2500 * 4.0 / 3 * std::numbers::pi * r * r * r;
+
+Vector3 position(dem::Simulation const& simulation, std::size_t k = 0)
+{
+    auto const& p = simulation.particles().place[k];
+    return {p.x, p.y, p.z};
+}
+
+TEST(MovingWalls, SphereInATurningDrumRollsOnTheSpot)
+{
+    // The surfaces move alike where they touch, r w = R Omega, and with the constant rolling torque mu_r r N
+    // the sphere rests where gravity balances it: tan(angle) = mu_r. The drum bears the weight at that lever.
+    double const radius = 0.1, rate = 2;
+    double const modulus = 1e7 / (2 * (1 - 0.09));
+    double const overlap = std::pow(mass * g * 0.75 / (modulus * std::sqrt(r)), 2.0 / 3);
+    for (double const mu_r : {0.0, 0.1}) {
+        double const angle = std::atan(mu_r), distance = radius - r + overlap;
+        dem::Simulation simulation(stone(0.5, mu_r), {.time_step = 2e-5, .skin = 2e-3});
+        simulation.add_particle({-distance * std::sin(angle), 0, -distance * std::cos(angle)}, r, 0, {},
+                                {0, rate * radius / r, 0});
+        simulation.add_wall({.shape = dem::Cylinder{{}, {0, 1, 0}, 0.05, radius}, .spin = {0, rate, 0}});
+        simulation.steps(50000);
+        Vector3 const p = position(simulation);
+        EXPECT_NEAR(std::atan2(-p.x, -p.z), angle, 1e-3) << mu_r;
+        EXPECT_NEAR(simulation.spin(0).y * r, rate * radius, 1e-3 * rate * radius) << mu_r;
+        auto const& load = simulation.wall_loads()[0];
+        EXPECT_NEAR(load.force.z, -mass * g, 1e-3 * mass * g) << mu_r;
+        EXPECT_NEAR(load.torque.y, p.x * mass * g, 1e-3 * mass * g * radius) << mu_r;
+        EXPECT_EQ(simulation.rebuilds(), 1) << mu_r;
+    }
+}
+
+TEST(MovingWalls, BeltCarriesASphereAlong)
+{
+    // A sphere put on a belt of speed u ends rolling; its centre gains 2/7 u (momentum about the contact).
+    double const u = 0.5;
+    dem::Simulation simulation(stone(0.3), {.time_step = 2e-5, .skin = 2e-3});
+    simulation.add_particle({0, 0, r}, r, 0);
+    simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}, .belt = {u, 0, 0}});
+    simulation.steps(20000);
+    EXPECT_NEAR(simulation.velocity(0).x, 2.0 / 7 * u, 2e-3 * u);
+    EXPECT_EQ(dem::centre(simulation.walls()[0].shape), Vector3{});
+}
+
+TEST(MovingWalls, LoadsBalanceTheParticlesMomenta)
+{
+    // Without gravity, what the particles gain in momentum and in angular momentum about the pivot the walls
+    // lose.
+    Vector3 const pivot{0.02, -0.01, 0.03};
+    dem::Simulation simulation(stone(0.5, 0.1), {.time_step = 2e-5, .gravity = {}, .skin = 2e-3});
+    RandomStream random(4);
+    for (int k = 0; k < 30; ++k)
+        simulation.add_particle({0.025 * (k % 3 - 1), 0.025 * (k / 3 % 3 - 1), 0.025 * (k / 9 - 1.5)}, r, 0,
+                                {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    for (dem::WallShape const& shape :
+         {dem::WallShape(dem::Cylinder{{}, {0, 0, 1}, 0.08, 0.06}),
+          dem::WallShape(dem::Disc{{0, 0, -0.05}, {0, 0, 1}, 0.06}),
+          dem::WallShape(dem::Cone{{0, 0, 0.065}, {0, 0, 1}, 0.02, 0.06, 0.001})})
+        simulation.add_wall({.shape = shape, .spin = {0, 0, 5}, .pivot = pivot});
+    auto const momenta = [&] {
+        std::pair<Vector3, Vector3> sum;
+        for (std::size_t k = 0; k < simulation.particles().size(); ++k) {
+            auto const& m = simulation.particles().motion[k];
+            Vector3 const v{m.vx, m.vy, m.vz}, w{m.wx, m.wy, m.wz};
+            sum.first += m.mass * v;
+            sum.second += m.mass * cross(position(simulation, k) - pivot, v) + m.inertia * w;
+        }
+        return sum;
+    };
+    Vector3 force, torque;
+    simulation.step();
+    auto const before = momenta();
+    int const steps = 5000;
+    for (int k = 0; k < steps; ++k) {
+        for (auto const& load : simulation.wall_loads())
+            force += simulation.options().time_step * load.force,
+                torque += simulation.options().time_step * load.torque;
+        simulation.step();
+    }
+    ASSERT_EQ(simulation.check_health(), dem::Health::good);
+    auto const after = momenta();
+    ASSERT_GT(norm(torque), 1e-4);
+    EXPECT_LT(norm(after.first - before.first + force), 1e-12);
+    // Exact in the leapfrog: a particle moves along its velocity, which adds nothing to m x cross v.
+    EXPECT_LT(norm(after.second - before.second + torque), 1e-12);
+}
+
+} // namespace
