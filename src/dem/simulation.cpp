@@ -89,6 +89,15 @@ std::uint32_t Simulation::add_wall(Wall const& wall)
 void Simulation::set_wall(std::uint32_t number, Wall const& wall)
 {
     walls_[number] = wall;
+    moved_walls_.erase(number);
+    list_is_stale_ = true;
+}
+
+void Simulation::set_motions(std::uint32_t number, std::vector<WallMotion> motions)
+{
+    MovedWall const moved(walls_[number], std::move(motions), time());
+    moved.move(walls_[number], time(), time());
+    moved_walls_.insert_or_assign(number, moved);
     list_is_stale_ = true;
 }
 
@@ -163,13 +172,27 @@ void Simulation::move()
     double const fastest =
         std::sqrt(move_particles(particles_.place.data(), particles_.motion.data(), particles_.load.data(),
                                  particles_.size(), kick, dt, options_.gravity));
-    double fastest_wall = 0;
-    for (Wall& wall : walls_)
-        if (wall.active) {
+    travelled_ += dt * std::max(fastest, 0.5 * (fastest + move_walls()));
+}
+
+//! Puts the walls where they are after the step, with velocities half a step earlier, like those of the
+//! particles. Returns the speed of the fastest [m/s].
+double Simulation::move_walls()
+{
+    double const dt = options_.time_step;
+    double fastest = 0;
+    for (std::uint32_t number = 0; number < walls_.size(); ++number) {
+        Wall& wall = walls_[number];
+        if (!wall.active)
+            continue;
+        auto const moved = moved_walls_.find(number);
+        if (moved == moved_walls_.end())
             advance(wall, dt);
-            fastest_wall = std::max(fastest_wall, displacement_speed(wall));
-        }
-    travelled_ += dt * std::max(fastest, 0.5 * (fastest + fastest_wall));
+        else
+            moved->second.move(wall, time() + dt, time() + 0.5 * dt);
+        fastest = std::max(fastest, displacement_speed(wall));
+    }
+    return fastest;
 }
 
 void Simulation::rebuild_if_needed()

@@ -65,6 +65,47 @@ TEST(MovingWalls, BeltCarriesASphereAlong)
     EXPECT_EQ(dem::centre(simulation.walls()[0].shape), Vector3{});
 }
 
+TEST(MovingWalls, ShakenPlateRollsTheSphereOn)
+{
+    // Without slip the centre gains 2/7 of what the plate's speed changes: it shakes 2/7 as far.
+    double const amplitude = 2e-3, frequency = 5;
+    dem::Simulation simulation(stone(0.5), {.time_step = 1e-5, .skin = 2e-3});
+    simulation.add_particle({0, 0, r}, r, 0);
+    auto const plate = simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+    simulation.steps(50000); // settles on the plate
+    double const at_first = position(simulation).x;
+    simulation.set_motions(plate, {{dem::Shake{{amplitude, 0, 0}, frequency, 0.5 * std::numbers::pi}}});
+    double largest = 0;
+    for (int k = 0; k < 40000; ++k) {
+        simulation.step();
+        double const expected = 2.0 / 7 * dem::centre(simulation.walls()[plate].shape).x;
+        largest = std::max(largest, std::abs(position(simulation).x - at_first - expected));
+    }
+    EXPECT_LT(largest, 0.01 * 2.0 / 7 * amplitude);
+    EXPECT_NEAR(dem::centre(simulation.walls()[plate].shape).x, 0, 1e-12); // two full periods
+}
+
+TEST(MovingWalls, SphereFollowsAPlateThatRises)
+{
+    // Lifted at a tenth of g the sphere stays on the plate, which bears 1.1 weights at the lowest point.
+    double const frequency = 10, angular = 2 * std::numbers::pi * frequency;
+    double const amplitude = 0.1 * g / (angular * angular);
+    dem::Simulation simulation(stone(0.5), {.time_step = 1e-5, .skin = 2e-3});
+    simulation.add_particle({0, 0, r}, r, 0);
+    auto const plate = simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+    simulation.set_motions(plate, {{dem::Shake{{0, 0, amplitude}, frequency, -0.5 * std::numbers::pi}, 0.5}});
+    simulation.steps(50000);
+    double heaviest = 0, lightest = 1e9;
+    for (int k = 0; k < 100000; ++k) {
+        simulation.step();
+        double const load = -simulation.wall_loads()[plate].force.z / (mass * g);
+        if (k > 50000)
+            heaviest = std::max(heaviest, load), lightest = std::min(lightest, load);
+    }
+    EXPECT_NEAR(heaviest, 1.1, 0.005);
+    EXPECT_NEAR(lightest, 0.9, 0.005);
+}
+
 TEST(MovingWalls, LoadsBalanceTheParticlesMomenta)
 {
     // Without gravity, what the particles gain in momentum and in angular momentum about the pivot the walls

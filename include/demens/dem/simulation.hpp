@@ -7,8 +7,10 @@
 #include "demens/dem/neighbours.hpp"
 #include "demens/dem/particles.hpp"
 #include "demens/dem/wall.hpp"
+#include "demens/dem/wall_motion.hpp"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -44,8 +46,10 @@ class Simulation
                                Vector3 const& velocity = {}, Vector3 const& spin = {});
     //! Adds a wall; returns its number.
     std::uint32_t add_wall(Wall const& wall);
-    //! Replaces a wall, e.g. to move or remove it.
+    //! Replaces a wall, e.g. to move or remove it; ends its motions.
     void set_wall(std::uint32_t number, Wall const& wall);
+    //! Lets a wall move from where it stands; times are those of the simulation. \throws InputError
+    void set_motions(std::uint32_t number, std::vector<WallMotion> motions);
     //! New coefficients for the same laws; contacts keep their histories.
     void set_model(contact::Model const& model);
 
@@ -80,6 +84,7 @@ class Simulation
   private:
     void make_law_sets(contact::Model const& model);
     void move();
+    double move_walls();
     void rebuild_if_needed();
     void compute_loads();
     void compute_contacts(ContactList& list);
@@ -91,8 +96,9 @@ class Simulation
     Particles particles_;
     std::vector<Wall> walls_;
     std::vector<WallLoad> wall_loads_;
-    std::vector<ContactList> lists_;               //!< among particles, then with walls
-    std::vector<std::uint32_t> touching_, parted_; //!< slots found by the pair test
+    std::map<std::uint32_t, MovedWall> moved_walls_; //!< by number
+    std::vector<ContactList> lists_;                 //!< among particles, then with walls
+    std::vector<std::uint32_t> touching_, parted_;   //!< slots found by the pair test
     std::unique_ptr<NeighbourSearch> search_;
     std::unique_ptr<ContactBlock> block_;
     double travelled_ = 0; //!< bound on how far any body moved since the rebuild [m]

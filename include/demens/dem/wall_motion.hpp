@@ -1,0 +1,77 @@
+#pragma once
+
+#include "demens/dem/wall.hpp"
+
+#include <limits>
+#include <variant>
+#include <vector>
+
+namespace demens::dem {
+
+// Laws of motion, from the start of the motion at time 0. An oscillation begins where the wall stands: with a
+// phase it is the displacement since the start, A (sin(2 pi f t + phase) - sin(phase)).
+
+//! Straight at a steady velocity.
+struct Translate
+{
+    Vector3 velocity; //!< [m/s]
+};
+//! About a fixed line at a steady rate.
+struct Rotate
+{
+    Vector3 point; //!< on the line [m]
+    Vector3 axis;  //!< along the line, of any length
+    double rate;   //!< [rad/s], counter-clockwise seen against the axis
+};
+//! To and fro along a line.
+struct Shake
+{
+    Vector3 amplitude; //!< [m]
+    double frequency;  //!< [Hz]
+    double phase = 0;  //!< [rad]
+};
+//! To and fro about a fixed line.
+struct Swing
+{
+    Vector3 point;    //!< on the line [m]
+    Vector3 axis;     //!< along the line, of any length
+    double amplitude; //!< [rad]
+    double frequency; //!< [Hz]
+    double phase = 0; //!< [rad]
+};
+//! The surface runs, the wall stays: a conveyor belt.
+struct Convey
+{
+    Vector3 velocity; //!< [m/s]
+};
+
+//! One motion of a wall and when it lasts; after its end the wall stays where it has brought it.
+struct WallMotion
+{
+    std::variant<Translate, Rotate, Shake, Swing, Convey> law;
+    double start = 0;                                     //!< [s]
+    double end = std::numeric_limits<double>::infinity(); //!< [s]
+};
+
+//! Moves a wall from where it stands at first. Each motion moves it as the ones before it in the list have
+//! placed it, along directions and about lines that are fixed in space; they may follow or overlap each other
+//! in time. The place is a function of time alone, without drift.
+class MovedWall
+{
+  public:
+    //! Motions that should have started before `now` [s] start then. \throws InputError for an axis of no
+    //! length, a negative frequency or an end before the start.
+    MovedWall(Wall const& at_first, std::vector<WallMotion> motions, double now = 0);
+
+    //! Puts the wall where it is at `time` [s], with its velocity, spin and belt at `velocity_time` [s].
+    void move(Wall& wall, double time, double velocity_time) const;
+
+  private:
+    WallShape shape_;
+    Vector3 pivot_;
+    std::vector<WallMotion> motions_;
+    std::size_t spinning_ =
+        0; //!< so many of the first motions map the shape onto itself: they do not move it
+};
+
+} // namespace demens::dem
