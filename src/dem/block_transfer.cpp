@@ -68,9 +68,13 @@ DEMENS_INLINE void subtract_from(double* sum, Four const& row)
     store_four(sum, load_four(sum) - row);
 }
 
+template <bool periodic>
 DEMENS_MULTIVERSION void gather_pairs_into(ContactBlock& b, ContactList const& list, Place const* places,
-                                           Motion const* motions)
+                                           Motion const* motions, Periods const& periods)
 {
+    constexpr double never = std::numeric_limits<double>::infinity();
+    Four const half{periods.x.half(), periods.y.half(), never, never};
+    Four const length{periods.x.length(), periods.y.length(), 0, 0}, none{};
     auto const stride = static_cast<std::size_t>(list.state_size);
     int const padded = ContactBlock::padded(b.count);
     for (int l = 0; l < padded; l += 4) {
@@ -83,7 +87,11 @@ DEMENS_MULTIVERSION void gather_pairs_into(ContactBlock& b, ContactList const& l
             spin_i[k] = load_four(&motions[i].wx), spin_j[k] = load_four(&motions[j].wx);
             // The fourth number of each record, radius or mass, travels in the place of a difference not
             // needed.
-            apart[k] = __builtin_shuffle(place_i[k] - place_j[k], place_i[k], FourMask{0, 1, 2, 7});
+            Four difference = place_i[k] - place_j[k];
+            if constexpr (periodic)
+                difference =
+                    difference - (difference > half ? length : none) + (difference < -half ? length : none);
+            apart[k] = __builtin_shuffle(difference, place_i[k], FourMask{0, 1, 2, 7});
             faster[k] = __builtin_shuffle(motion_i[k] - motion_j[k], motion_i[k], FourMask{0, 1, 2, 7});
             spin_i[k] = __builtin_shuffle(spin_i[k], place_j[k], FourMask{0, 1, 2, 7});
             spin_j[k] = __builtin_shuffle(spin_j[k], motion_j[k], FourMask{0, 1, 2, 7});
@@ -134,9 +142,11 @@ void prefetch_contacts(ContactList const& list, std::uint32_t const* slot, std::
     }
 }
 
-void gather_pairs(ContactBlock& block, ContactList const& list, Particles const& particles)
+void gather_pairs(ContactBlock& block, ContactList const& list, Particles const& particles,
+                  Periods const& periods)
 {
-    gather_pairs_into(block, list, particles.place.data(), particles.motion.data());
+    auto const gather = periods.any() ? gather_pairs_into<true> : gather_pairs_into<false>;
+    gather(block, list, particles.place.data(), particles.motion.data(), periods);
 }
 
 void scatter_pairs(ContactBlock const& block, ContactList& list, Particles& particles)

@@ -1,9 +1,13 @@
 #include "demens/dem/neighbours.hpp"
 
+#include "demens/base/error.hpp"
 #include "demens/dem/wall_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+
+#include <fmt/format.h>
 
 namespace demens::dem {
 
@@ -18,7 +22,10 @@ void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& wal
         std::swap(old_lists_[k].state, lists[k].state);
         lists[k].clear();
     }
-    find_pairs(particles, grid, skin, lists);
+    if (periods_.any())
+        find_pairs<true>(particles, grid, skin, lists);
+    else
+        find_pairs<false>(particles, grid, skin, lists);
     find_wall_contacts(particles, walls, skin, lists);
 }
 
@@ -34,16 +41,38 @@ NeighbourSearch::Grid NeighbourSearch::make_grid(Particles const& particles, dou
         upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
         largest = std::max(largest, p.radius);
     }
-    double cell = std::max(2 * largest + skin, 1e-12);
-    auto const cells_along = [&](double extent) { return 1 + std::floor(extent / cell); };
+    double const reach = 2 * largest + skin;
+    for (auto const& [name, period] : {std::pair{"x", periods_.x}, std::pair{"y", periods_.y}})
+        if (period.on() && period.length() < 2 * reach)
+            throw InputError(
+                fmt::format("the period of {} m along {} is too short: it must be at least {} m, twice the "
+                            "largest diameter and the skin",
+                            period.length(), name, 2 * reach));
+    double cell = std::max(reach, 1e-12);
+    Vector3 extent = upper - lower;
+    for (auto const& [period, from, size] :
+         {std::tuple{&periods_.x, &lower.x, &extent.x}, std::tuple{&periods_.y, &lower.y, &extent.y}})
+        if (period->on())
+            *from = period->lower, *size = period->length();
+    // A period holds whole cells.
+    auto const cells_along = [&](double length, bool periodic) {
+        return std::max(1.0, std::floor(length / cell) + !periodic);
+    };
+    auto const cells = [&] {
+        return Vector3{cells_along(extent.x, periods_.x.on()), cells_along(extent.y, periods_.y.on()),
+                       cells_along(extent.z, false)};
+    };
     // Far-flung particles must not make a huge empty grid: larger cells find the same pairs.
     double const most = 8.0 * static_cast<double>(particles.size()) + 4096;
-    while (cells_along(upper.x - lower.x) * cells_along(upper.y - lower.y) * cells_along(upper.z - lower.z) >
-           most)
+    Vector3 n = cells();
+    for (; n.x * n.y * n.z > most; n = cells())
         cell *= 1.5;
-    return {lower, 1 / cell, static_cast<int>(cells_along(upper.x - lower.x)),
-            static_cast<int>(cells_along(upper.y - lower.y)),
-            static_cast<int>(cells_along(upper.z - lower.z))};
+    return {
+        lower,
+        {periods_.x.on() ? n.x / extent.x : 1 / cell, periods_.y.on() ? n.y / extent.y : 1 / cell, 1 / cell},
+        static_cast<int>(n.x),
+        static_cast<int>(n.y),
+        static_cast<int>(n.z)};
 }
 
 void NeighbourSearch::sort_into_cells(Particles& particles, Grid const& grid)
@@ -52,14 +81,14 @@ void NeighbourSearch::sort_into_cells(Particles& particles, Grid const& grid)
     std::size_t const cells = static_cast<std::size_t>(grid.nx) * grid.ny * grid.nz;
     cell_of_.resize(n);
     cell_start_.assign(cells + 1, 0);
-    auto const along = [&](double offset, int count) {
-        return std::min(static_cast<int>(offset * grid.inverse_cell), count - 1);
+    auto const along = [](double offset, double per_length, int count) {
+        return std::min(static_cast<int>(offset * per_length), count - 1);
     };
     for (std::size_t i = 0; i < n; ++i) {
         Place const& p = particles.place[i];
-        int const cx = along(p.x - grid.lower.x, grid.nx);
-        int const cy = along(p.y - grid.lower.y, grid.ny);
-        int const cz = along(p.z - grid.lower.z, grid.nz);
+        int const cx = along(p.x - grid.lower.x, grid.per_length.x, grid.nx);
+        int const cy = along(p.y - grid.lower.y, grid.per_length.y, grid.ny);
+        int const cz = along(p.z - grid.lower.z, grid.per_length.z, grid.nz);
         cell_of_[i] = static_cast<std::uint32_t>((cz * grid.ny + cy) * grid.nx + cx);
         ++cell_start_[cell_of_[i] + 1];
     }
@@ -127,22 +156,66 @@ void NeighbourSearch::add_pair(ContactList& list, std::uint32_t i, std::uint32_t
     }
 }
 
+//! The own cell comes first, without a range: the rest of it and the cell after it belong to the own row.
+//! Cells along x follow one another, so a row of three cells is one range; across a periodic border it is
+//! two.
+NeighbourSearch::ForwardCells NeighbourSearch::forward_cells(Grid const& grid, int cx, int cy, int cz) const
+{
+    ForwardCells forward;
+    bool const wraps_x = periods_.x.on() && grid.nx > 2;
+    auto const row_start = [&](int y, int z) { return (z * grid.ny + y) * grid.nx; };
+    if (wraps_x && cx == grid.nx - 1)
+        forward.add(row_start(cy, cz), row_start(cy, cz));
+    constexpr int rows[4][2] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}}; // (dy, dz)
+    for (auto const& [dy, dz] : rows) {
+        int y = cy + dy;
+        int const z = cz + dz;
+        if (periods_.y.on()) {
+            // With one or two rows in the period, up and down lead to the same row.
+            if ((grid.ny == 1 && dy != 0) || (grid.ny == 2 && (dy < 0 || (dz == 0 && cy == 1))))
+                continue;
+            y = (y + grid.ny) % grid.ny;
+        }
+        if (y < 0 || y >= grid.ny || z >= grid.nz)
+            continue;
+        int const row = row_start(y, z);
+        forward.add(row + std::max(cx - 1, 0), row + std::min(cx + 1, grid.nx - 1));
+        if (wraps_x && cx == 0)
+            forward.add(row + grid.nx - 1, row + grid.nx - 1);
+        if (wraps_x && cx == grid.nx - 1)
+            forward.add(row, row);
+    }
+    return forward;
+}
+
+template <bool periodic>
 void NeighbourSearch::find_pairs(Particles const& particles, Grid const& grid, double skin,
                                  std::vector<ContactList>& lists)
 {
+    double const length_x = periods_.x.length(), length_y = periods_.y.length();
+    double const half_x = periods_.x.half(), half_y = periods_.y.half();
     auto const test_range = [&](std::uint32_t i, std::uint32_t from, std::uint32_t to) {
         Place const a = particles.place[i];
         std::uint32_t const* row = interaction_.data() + particles.material[i] * materials_;
         for (std::uint32_t j = from; j < to; ++j) {
             Place const& b = particles.place[j];
-            double const dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
+            double dx = a.x - b.x, dy = a.y - b.y;
+            double const dz = a.z - b.z;
+            if constexpr (periodic) {
+                dx = nearest_image(dx, length_x, half_x);
+                dy = nearest_image(dy, length_y, half_y);
+            }
             double const reach = a.radius + b.radius + skin;
-            if (dx * dx + dy * dy + dz * dz < reach * reach)
+            if (dx * dx + dy * dy + dz * dz >= reach * reach)
+                continue;
+            // Across a border a neighbour may come earlier in the order, as histories are filed.
+            if (periodic && j < i)
+                add_pair(lists[interaction_[particles.material[j] * materials_ + particles.material[i]]], j,
+                         i);
+            else
                 add_pair(lists[row[particles.material[j]]], i, j);
         }
     };
-    // Cells along x follow one another, so a row of three cells is one range of particles. The forward half
-    // of the neighbourhood is the rest of the own row and four more rows.
     std::uint32_t i = 0;
     for (int cz = 0; cz < grid.nz; ++cz)
         for (int cy = 0; cy < grid.ny; ++cy)
@@ -152,21 +225,11 @@ void NeighbourSearch::find_pairs(Particles const& particles, Grid const& grid, d
                 if (i == end)
                     continue;
                 std::uint32_t const own_row_end = cell_start_[cell + (cx + 1 < grid.nx ? 2 : 1)];
-                std::uint32_t range_from[4], range_to[4];
-                int ranges = 0;
-                constexpr int forward[4][2] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}}; // (dy, dz)
-                for (auto const& [dy, dz] : forward) {
-                    int const y = cy + dy, z = cz + dz;
-                    if (y < 0 || y >= grid.ny || z >= grid.nz)
-                        continue;
-                    int const row = (z * grid.ny + y) * grid.nx;
-                    range_from[ranges] = cell_start_[row + std::max(cx - 1, 0)];
-                    range_to[ranges++] = cell_start_[row + std::min(cx + 1, grid.nx - 1) + 1];
-                }
+                ForwardCells const forward = forward_cells(grid, cx, cy, cz);
                 for (; i < end; ++i) {
                     test_range(i, i + 1, own_row_end);
-                    for (int r = 0; r < ranges; ++r)
-                        test_range(i, range_from[r], range_to[r]);
+                    for (int r = 0; r < forward.count; ++r)
+                        test_range(i, cell_start_[forward.from[r]], cell_start_[forward.to[r]]);
                 }
             }
 }

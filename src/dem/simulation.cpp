@@ -16,7 +16,7 @@ Simulation::Simulation(contact::Model const& model, SimulationOptions const& opt
     : options_(options), block_(std::make_unique<ContactBlock>())
 {
     make_law_sets(model);
-    search_ = std::make_unique<NeighbourSearch>(materials_.size(), interaction_);
+    search_ = std::make_unique<NeighbourSearch>(materials_.size(), interaction_, options.periodic);
 }
 
 void Simulation::make_law_sets(contact::Model const& model)
@@ -142,15 +142,24 @@ DEMENS_MULTIVERSION double move_particles(Place* place, Motion* motion, Load con
 
 //! Compacts the slots of pairs that touch, and of those that touched before and no longer do. Returns both
 //! counts.
+template <bool periodic>
 DEMENS_MULTIVERSION std::pair<std::size_t, std::size_t>
 test_pairs(Place const* place, std::uint32_t const* first, std::uint32_t const* second,
-           std::uint8_t* touching, std::size_t count, std::uint32_t* now, std::uint32_t* parted)
+           std::uint8_t* touching, std::size_t count, Periods const& periods, std::uint32_t* now,
+           std::uint32_t* parted)
 {
+    double const length_x = periods.x.length(), length_y = periods.y.length();
+    double const half_x = periods.x.half(), half_y = periods.y.half();
     std::size_t n = 0, m = 0;
     for (std::size_t s = 0; s < count; ++s) {
         Place const& a = place[first[s]];
         Place const& b = place[second[s]];
-        double const dx = a.x - b.x, dy = a.y - b.y, dz = a.z - b.z;
+        double dx = a.x - b.x, dy = a.y - b.y;
+        double const dz = a.z - b.z;
+        if constexpr (periodic) {
+            dx = nearest_image(dx, length_x, half_x);
+            dy = nearest_image(dy, length_y, half_y);
+        }
         double const reach = a.radius + b.radius;
         bool const touches = dx * dx + dy * dy + dz * dz < reach * reach;
         now[n] = static_cast<std::uint32_t>(s);
@@ -199,6 +208,11 @@ void Simulation::rebuild_if_needed()
 {
     if (!list_is_stale_ && travelled_ <= 0.5 * options_.skin)
         return;
+    if (options_.periodic.any())
+        for (Place& p : particles_.place) {
+            p.x = options_.periodic.x.wrapped(p.x);
+            p.y = options_.periodic.y.wrapped(p.y);
+        }
     Vector3 const& lower = options_.domain_lower;
     Vector3 const& upper = options_.domain_upper;
     for (Place const& p : particles_.place)
@@ -232,8 +246,10 @@ void Simulation::compute_contacts(ContactList& list)
     }
     std::size_t now = 0, parted = 0;
     if (!list.with_wall) {
-        std::tie(now, parted) = test_pairs(particles_.place.data(), list.first.data(), list.second.data(),
-                                           list.touching.data(), count, touching_.data(), parted_.data());
+        auto const test = options_.periodic.any() ? test_pairs<true> : test_pairs<false>;
+        std::tie(now, parted) =
+            test(particles_.place.data(), list.first.data(), list.second.data(), list.touching.data(), count,
+                 options_.periodic, touching_.data(), parted_.data());
     } else {
         std::tie(now, parted) =
             test_wall_contacts(list, particles_, walls_, touching_.data(), parted_.data());
@@ -253,7 +269,7 @@ void Simulation::compute_contacts(ContactList& list)
         if (list.with_wall)
             gather_wall_contacts(block, list, particles_, walls_);
         else
-            gather_pairs(block, list, particles_);
+            gather_pairs(block, list, particles_, options_.periodic);
         largest_overlap_ = std::max(largest_overlap_, derive_geometry(block, list.with_wall));
         evaluate_laws(block, laws, options_.time_step);
         if (list.with_wall)

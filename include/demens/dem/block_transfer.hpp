@@ -3,6 +3,7 @@
 #include "demens/dem/contact_block.hpp"
 #include "demens/dem/contact_list.hpp"
 #include "demens/dem/particles.hpp"
+#include "demens/dem/periods.hpp"
 #include "demens/dem/wall.hpp"
 
 namespace demens::dem {
@@ -14,7 +15,8 @@ namespace demens::dem {
 void prefetch_contacts(ContactList const& list, std::uint32_t const* slot, std::uint32_t const* end,
                        Particles const& particles);
 //! Reads the bodies and histories of contacts among particles.
-void gather_pairs(ContactBlock& block, ContactList const& list, Particles const& particles);
+void gather_pairs(ContactBlock& block, ContactList const& list, Particles const& particles,
+                  Periods const& periods);
 //! The same for contacts with walls.
 void gather_wall_contacts(ContactBlock& block, ContactList const& list, Particles const& particles,
                           std::vector<Wall> const& walls);

@@ -2,6 +2,7 @@
 
 #include "demens/dem/contact_list.hpp"
 #include "demens/dem/particles.hpp"
+#include "demens/dem/periods.hpp"
 #include "demens/dem/wall.hpp"
 
 #include <vector>
@@ -13,13 +14,15 @@ class NeighbourSearch
 {
   public:
     //! Law set of each pair of materials: `interaction[a * materials + b]`.
-    NeighbourSearch(std::size_t materials, std::vector<std::uint32_t> interaction)
-        : materials_(materials), interaction_(std::move(interaction))
+    NeighbourSearch(std::size_t materials, std::vector<std::uint32_t> interaction,
+                    Periods const& periods = {})
+        : materials_(materials), interaction_(std::move(interaction)), periods_(periods)
     {
     }
 
     //! Sorts the particles along the cells of a grid and fills the lists anew: one per interaction among
-    //! particles, then one per interaction with walls. All positions must be finite.
+    //! particles, then one per interaction with walls. All positions must be finite, and within the periods.
+    //! \throws InputError where a period is too short for the particles.
     void rebuild(Particles& particles, std::vector<Wall> const& walls, double skin,
                  std::vector<ContactList>& lists);
 
@@ -35,13 +38,29 @@ class NeighbourSearch
     struct Grid
     {
         Vector3 lower;
-        double inverse_cell;
+        Vector3 per_length; //!< cells per length in each direction [1/m]
         int nx, ny, nz;
+    };
+
+    //! Up to nine ranges of cells that hold the forward half of a cell's neighbours: each pair of cells is
+    //! met once.
+    struct ForwardCells
+    {
+        std::uint32_t from[9], to[9]; //!< cell numbers; `to` is one past the last
+        int count = 0;
+
+        void add(int first, int last)
+        {
+            from[count] = static_cast<std::uint32_t>(first);
+            to[count++] = static_cast<std::uint32_t>(last) + 1;
+        }
     };
 
     Grid make_grid(Particles const& particles, double skin) const;
     void sort_into_cells(Particles& particles, Grid const& grid);
     void index_old_contacts(std::size_t particles, std::vector<ContactList> const& lists);
+    ForwardCells forward_cells(Grid const& grid, int cx, int cy, int cz) const;
+    template <bool periodic>
     void find_pairs(Particles const& particles, Grid const& grid, double skin,
                     std::vector<ContactList>& lists);
     void find_wall_contacts(Particles const& particles, std::vector<Wall> const& walls, double skin,
@@ -51,6 +70,7 @@ class NeighbourSearch
 
     std::size_t materials_;
     std::vector<std::uint32_t> interaction_;
+    Periods periods_;
     std::vector<std::uint32_t> cell_of_, cell_start_, new_index_;
     std::vector<std::uint32_t> old_start_;
     std::vector<OldContact> old_contacts_;

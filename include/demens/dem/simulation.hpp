@@ -6,6 +6,7 @@
 #include "demens/dem/contact_list.hpp"
 #include "demens/dem/neighbours.hpp"
 #include "demens/dem/particles.hpp"
+#include "demens/dem/periods.hpp"
 #include "demens/dem/wall.hpp"
 #include "demens/dem/wall_motion.hpp"
 
@@ -24,6 +25,7 @@ struct SimulationOptions
     double overlap_limit = 0.5;      //!< largest overlap over the smaller radius that counts as healthy
     Vector3 domain_lower = {-1e9, -1e9, -1e9}; //!< particles outside have escaped [m]
     Vector3 domain_upper = {1e9, 1e9, 1e9};
+    Periods periodic = {}; //!< particles that leave a period come back on its other side
 };
 
 enum class Health

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "demens/dem/particles.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace demens::dem {
+
+//! A direction in which everything repeats itself; none where `upper` is not above `lower`.
+struct Period
+{
+    double lower = 0, upper = 0; //!< [m]
+
+    bool on() const { return upper > lower; }
+    //! [m]; 0 where off.
+    double length() const { return on() ? upper - lower : 0; }
+    //! Half the length [m]; infinite where off.
+    double half() const { return on() ? 0.5 * (upper - lower) : std::numeric_limits<double>::infinity(); }
+    //! The place within the period that is equal to a coordinate [m].
+    double wrapped(double at) const
+    {
+        return on() && !(at >= lower && at < upper) ? at - length() * std::floor((at - lower) / length())
+                                                    : at;
+    }
+};
+
+//! The periodic directions. Particles meet their neighbours across the borders; walls are not repeated and
+//! must reach beyond the borders by a particle.
+struct Periods
+{
+    Period x = {}, y = {};
+
+    bool any() const { return x.on() || y.on(); }
+};
+
+//! Difference of two places to the nearest image, in one direction.
+DEMENS_INLINE double nearest_image(double difference, double length, double half)
+{
+    return difference - (difference > half ? length : 0.0) + (difference < -half ? length : 0.0);
+}
+
+} // namespace demens::dem
