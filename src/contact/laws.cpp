@@ -22,8 +22,22 @@ Any make_law(std::size_t index, PairMaterial const& material, PairProperties con
 LawSet::LawSet(Material const& i, Material const& j, PairProperties const& pair)
     : normal(make_law<AnyNormal>(static_cast<std::size_t>(pair.normal), {i, j, pair}, pair)),
       tangential(make_law<AnyTangential>(static_cast<std::size_t>(pair.tangential), {i, j, pair}, pair)),
-      rolling(make_law<AnyRolling>(static_cast<std::size_t>(pair.rolling), {i, j, pair}, pair))
+      rolling(make_law<AnyRolling>(static_cast<std::size_t>(pair.rolling), {i, j, pair}, pair)),
+      cohesion(make_law<AnyCohesion>(static_cast<std::size_t>(pair.cohesion), {i, j, pair}, pair)),
+      cohesion_in_limit(pair.cohesion_in_limit)
 {
+}
+
+Range range_of(LawSet const& laws, double largest_radius)
+{
+    return std::visit(
+        [&]<class Law>(Law const& law) -> Range {
+            if constexpr (requires { law.range(largest_radius); })
+                return {law.range(largest_radius), Law::needs_contact};
+            else
+                return {};
+        },
+        laws.cohesion);
 }
 
 } // namespace demens::contact

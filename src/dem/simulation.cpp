@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "demens/dem/block_transfer.hpp"
+#include "demens/dem/pair_test.hpp"
 #include "demens/dem/wall_contacts.hpp"
 
 #include <algorithm>
@@ -23,6 +24,7 @@ void Simulation::make_law_sets(contact::Model const& model)
 {
     materials_ = model.materials;
     laws_.clear();
+    layouts_.clear();
     interaction_.assign(materials_.size() * materials_.size(), 0);
     auto const index_of = [&](std::string const& name) {
         auto const found = std::find_if(materials_.begin(), materials_.end(),
@@ -39,7 +41,8 @@ void Simulation::make_law_sets(contact::Model const& model)
         auto const number = static_cast<std::uint32_t>(laws_.size());
         interaction_[a * materials_.size() + b] = number;
         laws_.emplace_back(materials_[a], materials_[b], pair);
-        auto const layout = state_layout(laws_.back());
+        auto const layout = state_layout(laws_.back(), false);
+        layouts_.push_back(layout);
         lists.push_back({.interaction = number, .state_size = layout.size, .state_scalars = layout.scalars});
     };
     for (auto const& pair : model.pairs) {
@@ -60,6 +63,7 @@ void Simulation::make_law_sets(contact::Model const& model)
 void Simulation::set_model(contact::Model const& model)
 {
     make_law_sets(model);
+    list_is_stale_ = true; // the new laws may reach further
 }
 
 std::uint32_t Simulation::add_particle(Vector3 const& position, double radius, std::uint32_t material,
@@ -140,37 +144,6 @@ DEMENS_MULTIVERSION double move_particles(Place* place, Motion* motion, Load con
     return fastest;
 }
 
-//! Compacts the slots of pairs that touch, and of those that touched before and no longer do. Returns both
-//! counts.
-template <bool periodic>
-DEMENS_MULTIVERSION std::pair<std::size_t, std::size_t>
-test_pairs(Place const* place, std::uint32_t const* first, std::uint32_t const* second,
-           std::uint8_t* touching, std::size_t count, Periods const& periods, std::uint32_t* now,
-           std::uint32_t* parted)
-{
-    double const length_x = periods.x.length(), length_y = periods.y.length();
-    double const half_x = periods.x.half(), half_y = periods.y.half();
-    std::size_t n = 0, m = 0;
-    for (std::size_t s = 0; s < count; ++s) {
-        Place const& a = place[first[s]];
-        Place const& b = place[second[s]];
-        double dx = a.x - b.x, dy = a.y - b.y;
-        double const dz = a.z - b.z;
-        if constexpr (periodic) {
-            dx = nearest_image(dx, length_x, half_x);
-            dy = nearest_image(dy, length_y, half_y);
-        }
-        double const reach = a.radius + b.radius;
-        bool const touches = dx * dx + dy * dy + dz * dz < reach * reach;
-        now[n] = static_cast<std::uint32_t>(s);
-        n += touches;
-        parted[m] = static_cast<std::uint32_t>(s);
-        m += touching[s] & !touches;
-        touching[s] = touches;
-    }
-    return {n, m};
-}
-
 } // namespace
 
 void Simulation::move()
@@ -221,10 +194,24 @@ void Simulation::rebuild_if_needed()
             left_domain_ = true; // or is not a number; check_health tells which
             return;
         }
-    search_->rebuild(particles_, walls_, options_.skin, lists_);
+    update_ranges();
+    double furthest = 0;
+    for (auto const& range : ranges_)
+        furthest = std::max(furthest, range.gap);
+    search_->rebuild(particles_, walls_, options_.skin + furthest, lists_);
     travelled_ = 0;
     list_is_stale_ = false;
     ++rebuilds_;
+}
+
+void Simulation::update_ranges()
+{
+    double largest = 0;
+    for (Place const& p : particles_.place)
+        largest = std::max(largest, p.radius);
+    ranges_.clear();
+    for (auto const& laws : laws_)
+        ranges_.push_back(contact::range_of(laws, largest));
 }
 
 void Simulation::compute_loads()
@@ -245,14 +232,13 @@ void Simulation::compute_contacts(ContactList& list)
         parted_.resize(2 * count + 1);
     }
     std::size_t now = 0, parted = 0;
+    contact::Range const range = ranges_[list.interaction];
     if (!list.with_wall) {
-        auto const test = options_.periodic.any() ? test_pairs<true> : test_pairs<false>;
         std::tie(now, parted) =
-            test(particles_.place.data(), list.first.data(), list.second.data(), list.touching.data(), count,
-                 options_.periodic, touching_.data(), parted_.data());
+            test_pairs(list, particles_, options_.periodic, range, touching_.data(), parted_.data());
     } else {
         std::tie(now, parted) =
-            test_wall_contacts(list, particles_, walls_, touching_.data(), parted_.data());
+            test_wall_contacts(list, particles_, walls_, range, touching_.data(), parted_.data());
     }
     auto const state_size = static_cast<std::size_t>(list.state_size);
     for (std::size_t k = 0; k < parted; ++k)
@@ -271,7 +257,7 @@ void Simulation::compute_contacts(ContactList& list)
         else
             gather_pairs(block, list, particles_, options_.periodic);
         largest_overlap_ = std::max(largest_overlap_, derive_geometry(block, list.with_wall));
-        evaluate_laws(block, laws, options_.time_step);
+        evaluate_laws(block, laws, layouts_[list.interaction], options_.time_step);
         if (list.with_wall)
             scatter_wall_contacts(block, list, particles_, walls_, wall_loads_);
         else

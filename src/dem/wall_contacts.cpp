@@ -43,7 +43,8 @@ std::vector<std::uint32_t> particles_near(Wall const& wall, Particles const& par
 }
 
 std::pair<std::size_t, std::size_t> test_wall_contacts(ContactList& list, Particles const& particles,
-                                                       std::vector<Wall> const& walls, std::uint32_t* now,
+                                                       std::vector<Wall> const& walls,
+                                                       contact::Range const& range, std::uint32_t* now,
                                                        std::uint32_t* parted)
 {
     std::size_t const count = list.size();
@@ -55,8 +56,8 @@ std::pair<std::size_t, std::size_t> test_wall_contacts(ContactList& list, Partic
     }
     std::size_t n = 0, m = 0;
     for (std::size_t s = 0; s < count; ++s) {
-        double const radius = particles.place[list.first[s]].radius;
-        bool const touches = norm_squared(list.offset[s]) < radius * radius;
+        double const reach = particles.place[list.first[s]].radius + range.reach(list.touching[s]);
+        bool const touches = norm_squared(list.offset[s]) < reach * reach;
         now[n] = static_cast<std::uint32_t>(s);
         n += touches;
         parted[m] = static_cast<std::uint32_t>(s);

@@ -9,7 +9,8 @@ namespace demens::contact {
 struct ContactKinematics
 {
     Vector3 normal;  //!< unit vector from j to i
-    double overlap;  //!< [m], > 0
+    double overlap;  //!< [m], 0 where a force acts across a gap
+    double gap;      //!< distance of the surfaces [m], 0 in contact
     double radius_i; //!< [m]
     double radius_j; //!< [m]; against a wall the radius of i, as its stiffness is that of a like sphere
     double effective_radius;  //!< R* [m]; against a wall the radius of i
@@ -24,9 +25,27 @@ struct ContactKinematics
 //! What a normal law tells the laws that come after it.
 struct NormalResponse
 {
-    double force;     //!< along the normal on i [N], positive when repulsive
-    double limit;     //!< force that limits friction and rolling [N], never negative
-    double stiffness; //!< tangent (Hertz) or loading (spring) stiffness [N/m]
+    double force = 0;     //!< along the normal on i [N], positive when repulsive
+    double limit = 0;     //!< force that limits friction and rolling [N], never negative
+    double stiffness = 0; //!< tangent (Hertz) or loading (spring) stiffness [N/m]
+    double inelastic = 0; //!< part of the force that is not the slope of `stored` [N]
+    double stored = 0;    //!< energy that unloading gives back [J]
+};
+
+//! What a cohesion law gives.
+struct CohesionResponse
+{
+    double force;  //!< along the normal on i [N], never positive
+    double stored; //!< its potential, 0 beyond its range [J], never positive
+    double lost;   //!< energy lost in this step because a bond has formed or broken [J]
+};
+
+//! What a tangential law (force on i) or a rolling law (torque on i) gives, in two parts.
+struct Resistance
+{
+    Vector3 spring;    //!< limited by friction [N] or [N m]
+    Vector3 viscous{}; //!< [N] or [N m]
+    double stored = 0; //!< energy in the spring [J]
 };
 
 //! Turns a stored vector into the plane normal to n and keeps its length.
@@ -47,6 +66,12 @@ DEMENS_INLINE DEMENS_FUNCTION double share_within(double size, double limit)
     return limit / (larger > 1e-300 ? larger : 1e-300);
 }
 
+//! Energy of a spring under a load, F^2/(2 k); an unloaded one may have no stiffness.
+DEMENS_INLINE DEMENS_FUNCTION double spring_energy(double load_squared, double stiffness)
+{
+    return 0.5 * load_squared / (stiffness > 1e-300 ? stiffness : 1e-300);
+}
+
 //! Static and kinetic friction with a state: a contact that slides resists with the kinetic coefficient and
 //! sticks again once the trial force is below that limit (Moncada et al. 2023, eq. 3, with two coefficients).
 struct CoulombFriction
@@ -60,7 +85,7 @@ struct CoulombFriction
         double const threshold = (sliding > 0.5 ? kinetic_coefficient : static_coefficient) * normal_force;
         double const size = trial > 1e-300 ? trial : 1e-300;
         bool const slides = trial > threshold;
-        sliding = slides ? 1.0 : 0.0;
+        sliding = slides && normal_force > 0 ? 1.0 : 0.0; // across a gap nothing slides
         return (slides ? kinetic_coefficient * normal_force : size) / size;
     }
 };

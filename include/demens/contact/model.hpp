@@ -24,15 +24,28 @@ enum class NormalLaw
 enum class TangentialLaw
 {
     none,
+    mindlin,
     mindlin_rescale,
+    mindlin_deresiewicz,
     linear_coulomb
 };
 enum class RollingLaw
 {
     none,
     constant_torque,
+    viscous,
     epsd,
     epsd2
+};
+enum class CohesionLaw
+{
+    none,
+    linear_cohesion,
+    sjkr2,
+    van_der_waals,
+    dmt,
+    jkr,
+    capillary
 };
 
 //! Laws and coefficients of one pair of materials.
@@ -42,14 +55,23 @@ struct PairProperties
     NormalLaw normal = NormalLaw::hertz;
     TangentialLaw tangential = TangentialLaw::mindlin_rescale;
     RollingLaw rolling = RollingLaw::none;
+    CohesionLaw cohesion = CohesionLaw::none;
     double restitution = 0.5;                 //!< [-], in (0, 1]
     double static_friction = 0.5;             //!< [-]
     double kinetic_friction = 0.5;            //!< [-], at most the static one
     double rolling_friction = 0;              //!< [-]
+    double rolling_viscosity = 0;             //!< [s], d_R of `viscous`
     double rolling_damping = 0;               //!< [-], share of critical damping of `epsd`
     double tangential_stiffness_ratio = 1;    //!< [-], K_t/K_l of `linear_coulomb`
     double minimum_unloading_fraction = 1e-3; //!< [-], lambda of `hysteretic_spring`
     bool allow_attraction = true;             //!< `hertz`: let the damping pull while separating
+    double cohesion_energy_density = 0;       //!< [J/m^3] of `linear_cohesion` and `sjkr2`
+    double surface_energy = 0;                //!< [J/m^2] of either body; `van_der_waals`, `dmt`, `jkr`
+    double hamaker_constant = 40e-20;         //!< [J] of `van_der_waals`
+    double surface_tension = 0;               //!< [N/m] of `capillary`
+    double bridge_volume = 0;                 //!< [m^3] of `capillary`
+    double contact_angle_deg = 0;             //!< [deg] of `capillary`
+    bool cohesion_in_limit = false;           //!< attraction lowers the limit of friction and rolling
 };
 
 //! The base model: all materials and all pairs that may touch.
@@ -61,11 +83,13 @@ struct Model
 
 //! Keys of a `[material.NAME]` table, with units, defaults and ranges.
 std::vector<OptionSpec> const& material_options();
-//! Keys of a `[contact.A_B]` table; the choices of `normal`, `tangential` and `rolling` are the list of laws.
+//! Keys of a `[contact.A_B]` table; the choices of `normal`, `tangential`, `rolling` and `cohesion` are
+//! the list of laws.
 std::vector<OptionSpec> const& pair_options();
 //! A material from the checked values of its table.
 Material make_material(std::string name, OptionValues const& values);
-//! A pair from the checked values of its table.
+//! A pair from the checked values of its table. \throws InputError when a law lacks a coefficient that it
+//! needs.
 PairProperties make_pair(std::string first, std::string second, OptionValues const& values);
 
 } // namespace demens::contact

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "demens/contact/laws.hpp"
-#include "demens/dem/contact_list.hpp"
+#include "demens/base/macros.hpp"
+
+#include <cstdint>
 
 namespace demens::dem {
 
@@ -10,7 +11,7 @@ namespace demens::dem {
 struct alignas(64) ContactBlock
 {
     static constexpr int lanes = 32;
-    static constexpr int max_state = 12;
+    static constexpr int max_state = 24;
     using Lane = double[lanes];
 
     //! Lanes that are computed for so many contacts: whole registers.
@@ -29,27 +30,22 @@ struct alignas(64) ContactBlock
     Lane state[max_state];   //!< history
 
     // Derived
-    Lane nx, ny, nz, overlap, arm_i, arm_j;
+    Lane nx, ny, nz, overlap, gap, arm_i, arm_j;
     Lane effective_radius, effective_mass, rolling_inertia;
     Lane normal_velocity, tx, ty, tz; //!< tangent velocity
-    Lane normal_force, limit, stiffness;
+    Lane limit, stiffness;            //!< of the normal law
 
     // Results
     Lane fx, fy, fz;                   //!< force on i [N]
     Lane mx, my, mz;                   //!< rolling torque on i [N m]
     Lane tix, tiy, tiz, tjx, tjy, tjz; //!< torques on i and j [N m]
+
+    // Results for the energy ledger: lost since the step before [J]
+    Lane lost_to_damping, lost_to_friction, lost_to_rolling, lost_to_cohesion;
 };
 
-//! Doubles of history per contact that a law set needs, in whole fours, and how many of them are scalars.
-struct StateLayout
-{
-    int scalars, size;
-};
-StateLayout state_layout(contact::LawSet const& laws);
-
-//! Fills the derived quantities. Returns the largest overlap over the smaller radius of the two bodies.
+//! Fills the derived quantities; bodies apart have a gap and no overlap. Returns the largest overlap over the
+//! smaller radius of the two bodies.
 double derive_geometry(ContactBlock& block, bool with_wall);
-//! Evaluates the laws: forces, torques and the new history of all lanes.
-void evaluate_laws(ContactBlock& block, contact::LawSet const& laws, double time_step);
 
 } // namespace demens::dem

@@ -4,6 +4,7 @@
 #include "demens/contact/model.hpp"
 #include "demens/dem/contact_block.hpp"
 #include "demens/dem/contact_list.hpp"
+#include "demens/dem/law_stages.hpp"
 #include "demens/dem/neighbours.hpp"
 #include "demens/dem/particles.hpp"
 #include "demens/dem/periods.hpp"
@@ -78,7 +79,7 @@ class Simulation
     Vector3 spin(std::size_t k) const;
     double largest_speed() const;  //!< [m/s]
     double kinetic_energy() const; //!< translation and rotation [J]
-    //! Touching pairs, and touching wall contacts, of the last step.
+    //! Pairs with a force, or within reach of one, and the same with walls, of the last step.
     std::size_t particle_contacts() const;
     std::size_t wall_contacts() const;
     std::int64_t rebuilds() const { return rebuilds_; }
@@ -90,10 +91,13 @@ class Simulation
     void rebuild_if_needed();
     void compute_loads();
     void compute_contacts(ContactList& list);
+    void update_ranges();
 
     SimulationOptions options_;
     std::vector<contact::Material> materials_;
     std::vector<contact::LawSet> laws_;
+    std::vector<StateLayout> layouts_;       //!< of each law set's history
+    std::vector<contact::Range> ranges_;     //!< of each law set, for the largest particle
     std::vector<std::uint32_t> interaction_; //!< law set of materials (a, b) at a * materials + b
     Particles particles_;
     std::vector<Wall> walls_;

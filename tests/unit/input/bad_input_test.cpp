@@ -94,7 +94,7 @@ TEST(BadInput, MissingKey)
 TEST(BadInput, BadChoiceAndNames)
 {
     EXPECT_THAT(message_with("\"epsd\"", "\"epds\""),
-                HasSubstr("rolling = \"epds\": must be one of none, constant_torque, epsd, epsd2"));
+                HasSubstr("rolling = \"epds\": must be one of none, constant_torque, viscous, epsd, epsd2"));
     EXPECT_THAT(message_with("rig = \"hopper\"", "rig = \"hoper\""),
                 HasSubstr("there is no such rig; did you mean \"hopper\"?"));
     EXPECT_THAT(message_with("material = \"quartz\"", "material = \"quarz\""),
@@ -105,6 +105,21 @@ TEST(BadInput, BadChoiceAndNames)
                 HasSubstr("must begin with a letter"));
     EXPECT_THAT(message_with("name = \"drop\"", "name = \"bench\""),
                 HasSubstr("two experiments have this name"));
+}
+
+TEST(BadInput, CoefficientsOfLaws)
+{
+    EXPECT_THAT(message_with("rolling_friction = 0.2\n", ""),
+                AllOf(StartsWith("test.toml:13: contact.quartz_quartz: "),
+                      HasSubstr("rolling = \"epsd\" needs the key rolling_friction, which is missing")));
+    EXPECT_THAT(message_with("allow_attraction = false", "cohesion = \"jkr\""),
+                HasSubstr("cohesion = \"jkr\" needs the key surface_energy, which is missing"));
+    EXPECT_THAT(message_with("restitution = 0.3719", "restitution = 0"),
+                HasSubstr("restitution = 0: must be at least 0.01 and at most 1"));
+    EXPECT_THAT(message_with("restitution = 0.3719", "restitution = 1.1"),
+                HasSubstr("restitution = 1.1: must be at least 0.01 and at most 1"));
+    EXPECT_THAT(message_with("static_friction = 0.7", "static_friction = -0.7"),
+                HasSubstr("static_friction = -0.7: must be at least 0"));
 }
 
 TEST(BadInput, PairsOfMaterials)

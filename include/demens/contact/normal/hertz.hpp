@@ -13,6 +13,7 @@ class HertzNormal
 {
   public:
     static constexpr int state_scalars = 0;
+    static constexpr bool has_potential = true;
 
     HertzNormal(PairMaterial const& material, PairProperties const& pair)
         : youngs_modulus_(material.effective_youngs_modulus), damping_(1.8257418583505538 * material.damping),
@@ -28,7 +29,7 @@ class HertzNormal
             damping_ * std::sqrt(stiffness * contact.effective_mass) * contact.normal_velocity;
         double const total = elastic + viscous;
         double const force = total > lowest_ ? total : lowest_;
-        return {force, elastic, stiffness};
+        return {force, elastic, stiffness, force - elastic, 0.4 * elastic * contact.overlap};
     }
 
   private:

@@ -13,6 +13,7 @@ class HystereticSpringNormal
   public:
     //! Force [N] and overlap [m] of the previous step.
     static constexpr int state_scalars = 2;
+    static constexpr bool has_potential = false;
 
     HystereticSpringNormal(PairMaterial const& material, PairProperties const& pair)
         : modulus_i_(material.youngs_modulus_i), modulus_j_(material.youngs_modulus_j),
@@ -31,11 +32,11 @@ class HystereticSpringNormal
         double const trial = state[0] + unloading_ratio_ * loading * step;
         double const lowest = floor_ * line;
         double const on_loading = trial < line ? trial : line;
-        double const on_unloading = trial > lowest ? trial : lowest;
+        double const on_unloading = on_loading > lowest ? on_loading : lowest;
         double const force = step >= 0 ? on_loading : on_unloading;
         state[0] = force;
         state[1] = contact.overlap;
-        return {force, force, loading};
+        return {force, force, loading, force, spring_energy(force * force, unloading_ratio_ * loading)};
     }
 
   private:

@@ -17,15 +17,15 @@ class ConstantTorqueRolling
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact,
-                                                     NormalResponse const& normal, Vector3*) const
+    DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
+                                                        NormalResponse const& normal, Vector3*) const
     {
         double const spin = norm(contact.relative_spin);
         double const limit = coefficient_ * contact.effective_radius * normal.limit;
         double const resisting = limit / (spin > 1e-300 ? spin : 1e-300);
         double const stopping = contact.rolling_inertia / contact.time_step;
         double const scale = resisting < stopping ? -resisting : -stopping;
-        return scale * contact.relative_spin;
+        return {scale * contact.relative_spin};
     }
 
   private:

@@ -18,14 +18,16 @@ class EpsdRolling
   public:
     //! Spring torque of the previous step [N m].
     static constexpr int state_vectors = 1;
+    static constexpr bool history_is_load = true;
+    static constexpr bool has_dashpot = true;
 
     EpsdRolling(PairMaterial const&, PairProperties const& pair)
         : coefficient_(pair.rolling_friction), damping_(pair.rolling_damping)
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact,
-                                                     NormalResponse const& normal, Vector3* vectors) const
+    DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
+                                                        NormalResponse const& normal, Vector3* vectors) const
     {
         double const arm = coefficient_ * contact.effective_radius;
         double const stiffness = 2.25 * normal.stiffness * arm * arm;
@@ -37,7 +39,7 @@ class EpsdRolling
         double const viscous =
             (share < 1 ? 0.0 : -2 * damping_) * std::sqrt(contact.rolling_inertia * stiffness);
         vectors[0] = share * trial;
-        return vectors[0] + viscous * spin;
+        return {vectors[0], viscous * spin, spring_energy(norm_squared(vectors[0]), stiffness)};
     }
 
   private:

@@ -11,21 +11,22 @@ class Epsd2Rolling
   public:
     //! Spring torque of the previous step [N m].
     static constexpr int state_vectors = 1;
+    static constexpr bool history_is_load = true;
 
     Epsd2Rolling(PairMaterial const& material, PairProperties const& pair)
         : coefficient_(pair.rolling_friction), shear_modulus_(material.effective_shear_modulus)
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact,
-                                                     NormalResponse const& normal, Vector3* vectors) const
+    DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
+                                                        NormalResponse const& normal, Vector3* vectors) const
     {
         double const radius = contact.effective_radius;
         double const stiffness = 8 * shear_modulus_ * std::sqrt(radius * contact.overlap) * radius * radius;
         Vector3 const trial = turned_into_plane(vectors[0], contact.normal) -
                               (stiffness * contact.time_step) * rolling_spin(contact);
         vectors[0] = share_within(norm(trial), coefficient_ * radius * normal.limit) * trial;
-        return vectors[0];
+        return {vectors[0], {}, spring_energy(norm_squared(vectors[0]), stiffness)};
     }
 
   private:

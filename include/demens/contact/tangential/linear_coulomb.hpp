@@ -13,6 +13,7 @@ class LinearCoulombTangential
     //! Sliding (0 or 1), force of the previous step [N].
     static constexpr int state_scalars = 1;
     static constexpr int state_vectors = 1;
+    static constexpr bool history_is_load = true;
 
     LinearCoulombTangential(PairMaterial const&, PairProperties const& pair)
         : stiffness_ratio_(pair.tangential_stiffness_ratio), friction_{pair.static_friction,
@@ -20,15 +21,15 @@ class LinearCoulombTangential
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact,
-                                                     NormalResponse const& normal, double* scalars,
-                                                     Vector3* vectors) const
+    DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
+                                                        NormalResponse const& normal, double* scalars,
+                                                        Vector3* vectors) const
     {
-        double const step_stiffness = stiffness_ratio_ * normal.stiffness * contact.time_step;
-        Vector3 const trial =
-            turned_into_plane(vectors[0], contact.normal) - step_stiffness * contact.tangent_velocity;
+        double const stiffness = stiffness_ratio_ * normal.stiffness;
+        Vector3 const trial = turned_into_plane(vectors[0], contact.normal) -
+                              (stiffness * contact.time_step) * contact.tangent_velocity;
         vectors[0] = friction_.limit(norm(trial), normal.limit, scalars[0]) * trial;
-        return vectors[0];
+        return {vectors[0], {}, spring_energy(norm_squared(vectors[0]), stiffness)};
     }
 
   private:

@@ -15,6 +15,8 @@ class MindlinRescaleTangential
     //! Sliding (0 or 1), overlap of the previous step [m], elastic force of the previous step [N].
     static constexpr int state_scalars = 2;
     static constexpr int state_vectors = 1;
+    static constexpr bool history_is_load = true;
+    static constexpr bool has_dashpot = true;
 
     MindlinRescaleTangential(PairMaterial const& material, PairProperties const& pair)
         : shear_modulus_(material.effective_shear_modulus),
@@ -23,20 +25,21 @@ class MindlinRescaleTangential
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION Vector3 operator()(ContactKinematics const& contact,
-                                                     NormalResponse const& normal, double* scalars,
-                                                     Vector3* vectors) const
+    DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
+                                                        NormalResponse const& normal, double* scalars,
+                                                        Vector3* vectors) const
     {
         double const stiffness = 8 * shear_modulus_ * std::sqrt(contact.effective_radius * contact.overlap);
         double const old_overlap = scalars[1];
         double const larger = contact.overlap < old_overlap ? old_overlap : contact.overlap;
-        double const shrink = std::sqrt(contact.overlap / larger);
+        double const shrink = std::sqrt(contact.overlap / (larger > 1e-300 ? larger : 1e-300));
         Vector3 const trial = shrink * turned_into_plane(vectors[0], contact.normal) -
                               (stiffness * contact.time_step) * contact.tangent_velocity;
         vectors[0] = friction_.limit(norm(trial), normal.limit, scalars[0]) * trial;
         scalars[1] = contact.overlap;
         double const viscous = (1 - scalars[0]) * damping_ * std::sqrt(stiffness * contact.effective_mass);
-        return vectors[0] + viscous * contact.tangent_velocity;
+        return {vectors[0], viscous * contact.tangent_velocity,
+                spring_energy(norm_squared(vectors[0]), stiffness)};
     }
 
   private:

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "demens/contact/kinematics.hpp"
+#include "demens/contact/pair_material.hpp"
+
+namespace demens::contact {
+
+//! Mindlin's no-slip spring on the whole tangential displacement, F_t = -S_t s, S_t = 8 G* sqrt(R* d), with a
+//! Coulomb limit, at which s is scaled back, and the damping 2 sqrt(5/6) beta sqrt(S_t m*) v_t while it
+//! sticks (Mindlin 1949; Tsuji et al. 1992). The stiffness follows the overlap while s stays, which creates
+//! energy in loading: `mindlin_rescale` does not.
+class MindlinTangential
+{
+  public:
+    //! Sliding (0 or 1), tangential displacement [m].
+    static constexpr int state_scalars = 1;
+    static constexpr int state_vectors = 1;
+    static constexpr bool has_dashpot = true;
+
+    MindlinTangential(PairMaterial const& material, PairProperties const& pair)
+        : shear_modulus_(material.effective_shear_modulus),
+          damping_(1.8257418583505538 * material.damping), friction_{pair.static_friction,
+                                                                     pair.kinetic_friction}
+    {
+    }
+
+    DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
+                                                        NormalResponse const& normal, double* scalars,
+                                                        Vector3* vectors) const
+    {
+        double const stiffness = 8 * shear_modulus_ * std::sqrt(contact.effective_radius * contact.overlap);
+        Vector3 const trial =
+            turned_into_plane(vectors[0], contact.normal) + contact.time_step * contact.tangent_velocity;
+        vectors[0] = friction_.limit(stiffness * norm(trial), normal.limit, scalars[0]) * trial;
+        double const viscous = (1 - scalars[0]) * damping_ * std::sqrt(stiffness * contact.effective_mass);
+        return {-stiffness * vectors[0], viscous * contact.tangent_velocity,
+                0.5 * stiffness * norm_squared(vectors[0])};
+    }
+
+  private:
+    double shear_modulus_; //!< G* [Pa]
+    double damping_;       //!< 2 sqrt(5/6) beta
+    CoulombFriction friction_;
+};
+
+} // namespace demens::contact

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "demens/contact/kinematics.hpp"
+#include "demens/contact/pair_material.hpp"
+
+namespace demens::contact {
+
+//! Spring that softens as slip spreads over the contact, F_t = -mu F_n [1 - (1 - |s|/s_max)^(3/2)] s/|s| with
+//! s_max = mu (2 - nu)/(2 (1 - nu)) d = mu E*/(4 G*) d, and the damping of Mindlin's law while it sticks
+//! (Mindlin and Deresiewicz 1953; Langston et al. 1995). A contact that slides is held where this curve of
+//! static friction passes the kinetic force.
+class MindlinDeresiewiczTangential
+{
+  public:
+    //! Sliding (0 or 1), tangential displacement [m].
+    static constexpr int state_scalars = 1;
+    static constexpr int state_vectors = 1;
+    static constexpr bool has_dashpot = true;
+
+    MindlinDeresiewiczTangential(PairMaterial const& material, PairProperties const& pair)
+        : friction_(pair.static_friction), shear_modulus_(material.effective_shear_modulus),
+          largest_per_overlap_(pair.static_friction * material.effective_youngs_modulus /
+                               (4 * material.effective_shear_modulus)),
+          damping_(1.8257418583505538 * material.damping), slip_{1.0, sliding_share(pair)}
+    {
+    }
+
+    DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
+                                                        NormalResponse const& normal, double* scalars,
+                                                        Vector3* vectors) const
+    {
+        double const largest = largest_per_overlap_ * contact.overlap;
+        Vector3 const trial =
+            turned_into_plane(vectors[0], contact.normal) + contact.time_step * contact.tangent_velocity;
+        double const size = norm(trial);
+        double const share = slip_.limit(size, largest, scalars[0]);
+        vectors[0] = share * trial;
+        double const slid = share * size / (largest > 1e-300 ? largest : 1e-300);
+        double const left = slid < 1 ? 1 - slid : 0.0;
+        double const root = std::sqrt(left);
+        double const force = friction_ * normal.limit * (1 - left * root);
+        double const stiffness = 8 * shear_modulus_ * std::sqrt(contact.effective_radius * contact.overlap);
+        double const viscous = (1 - scalars[0]) * damping_ * std::sqrt(stiffness * contact.effective_mass);
+        return {-force / (share * size > 1e-300 ? share * size : 1e-300) * vectors[0],
+                viscous * contact.tangent_velocity,
+                friction_ * normal.limit * largest * (slid - 0.4 * (1 - left * left * root))};
+    }
+
+  private:
+    //! |s|/s_max where the curve passes the kinetic force.
+    static double sliding_share(PairProperties const& pair)
+    {
+        double const ratio = pair.static_friction > 0 ? pair.kinetic_friction / pair.static_friction : 1.0;
+        return 1 - std::cbrt((1 - ratio) * (1 - ratio));
+    }
+
+    double friction_;            //!< mu_s
+    double shear_modulus_;       //!< G* [Pa]
+    double largest_per_overlap_; //!< s_max/d
+    double damping_;             //!< 2 sqrt(5/6) beta
+    CoulombFriction slip_;       //!< limits of |s|/s_max
+};
+
+} // namespace demens::contact

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "demens/contact/range.hpp"
+#include "demens/dem/contact_list.hpp"
+#include "demens/dem/particles.hpp"
+#include "demens/dem/periods.hpp"
+
+#include <utility>
+
+namespace demens::dem {
+
+//! Compacts the slots of pairs that touch or are within the laws' range, and of those that were in the step
+//! before and no longer are. Returns both counts.
+std::pair<std::size_t, std::size_t> test_pairs(ContactList& list, Particles const& particles,
+                                               Periods const& periods, contact::Range const& range,
+                                               std::uint32_t* now, std::uint32_t* parted);
+
+} // namespace demens::dem
