@@ -21,6 +21,27 @@ Bytes pack(Wave const& wave, CampaignInput const& input)
     return hdf5::image_of(file);
 }
 
+//! Rank 0's files, which may be large and binary. Collective.
+rig::Files share_files(MPI_Comm communicator, rig::Files const& mine)
+{
+    std::vector<int> count = {static_cast<int>(mine.size())};
+    broadcast(communicator, count);
+    auto next = mine.begin();
+    rig::Files files;
+    for (int k = 0; k < count.front(); ++k) {
+        std::string name, content;
+        if (rank_of(communicator) == 0) {
+            name = next->first;
+            content = *next->second;
+            ++next;
+        }
+        broadcast(communicator, name);
+        broadcast(communicator, content);
+        files.emplace(name, std::make_shared<std::string const>(std::move(content)));
+    }
+    return files;
+}
+
 void share_wave(MPI_Comm communicator, Campaign& campaign, int number)
 {
     auto const place = static_cast<std::size_t>(number);
@@ -49,9 +70,11 @@ Campaign read_for_all(MPI_Comm communicator, std::filesystem::path const& file, 
     broadcast(communicator, toml);
     broadcast(communicator, ended);
     broadcast(communicator, waves);
+    auto const files = share_files(communicator, campaign ? campaign->input.files() : rig::Files{});
     on_all(communicator, [&] {
         if (!campaign)
-            campaign = Campaign{CampaignInput::from_text(toml, file.string(), rigs), {}, ended};
+            campaign = Campaign{
+                CampaignInput::from_text(toml, file.string(), rigs, input::stored_files(files)), {}, ended};
     });
     for (int number = 0; number < waves.front(); ++number)
         share_wave(communicator, *campaign, number);

@@ -35,7 +35,7 @@ json experiments_of(ensemble::CampaignInput const& input)
     json list = json::array();
     for (auto const& experiment : input.experiments) {
         json responses = json::array();
-        for (auto const& response : experiment.rig->responses)
+        for (auto const& response : experiment.responses)
             responses.push_back({{"name", response.name}, {"units", response.units}, {"doc", response.doc}});
         list.push_back({{"name", experiment.name},
                         {"rig", experiment.rig->name},

@@ -14,7 +14,7 @@ std::vector<CampaignTarget> targets_of(ensemble::CampaignInput const& input)
         auto const& experiment = input.experiments[e];
         for (auto const& target : experiment.targets)
             targets.push_back({static_cast<int>(e), target, experiment.name + "." + target.response,
-                               experiment.rig->responses.at(target.response_index).units});
+                               experiment.responses.at(target.response_index).units});
     }
     return targets;
 }

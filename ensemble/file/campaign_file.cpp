@@ -48,9 +48,36 @@ void write_factors(hid_t file, std::vector<Factor> const& factors)
     write_list(file, "/factors/log_scale", log_scale, {{"1"}, {}, "1: searched on a logarithmic scale"});
 }
 
+//! Files that the input names, each as its bytes.
+void write_files(hid_t file, rig::Files const& files)
+{
+    for (auto const& [name, content] : files) {
+        auto const path = fmt::format("/input/files/{:04}", hdf5::exists(file, "/input/files")
+                                                                ? hdf5::children(file, "/input/files").size()
+                                                                : 0);
+        hdf5::write<std::uint8_t>(file, path, {content->size()}, {content->begin(), content->end()},
+                                  {{"1"}, {}, "bytes of a file that the input names"});
+        hdf5::set_attribute(file, path, "name", name);
+    }
+}
+
+rig::Files read_files(hid_t file)
+{
+    rig::Files files;
+    if (!hdf5::exists(file, "/input/files"))
+        return files;
+    for (auto const& child : hdf5::children(file, "/input/files")) {
+        auto const path = "/input/files/" + child;
+        auto const bytes = hdf5::read<std::uint8_t>(file, path);
+        files.emplace(hdf5::text_attribute(file, path, "name"),
+                      std::make_shared<std::string const>(bytes.begin(), bytes.end()));
+    }
+    return files;
+}
+
 std::string units_of(Experiment const& experiment, Target const& target)
 {
-    return experiment.rig->responses.at(static_cast<std::size_t>(target.response_index)).units;
+    return experiment.responses.at(static_cast<std::size_t>(target.response_index)).units;
 }
 
 void write_experiments(hid_t file, std::vector<Experiment> const& experiments)
@@ -98,6 +125,7 @@ void write_header(hid_t file, CampaignInput const& input)
     hdf5::set_attribute(file, "/", "ended", "");
     hdf5::write_text(file, "/input/toml", input.text());
     hdf5::write_text(file, "/input/resolved_toml", input.resolved_text());
+    write_files(file, input.files());
     write_factors(file, input.factors);
     write_experiments(file, input.experiments);
     hdf5::make_group(file, "/waves");
@@ -145,7 +173,8 @@ Campaign read_campaign(fs::path const& path, Rigs const& rigs)
     auto const file = open_campaign(path);
     try {
         Campaign campaign{CampaignInput::from_text(hdf5::read_texts(file, "/input/toml").at(0),
-                                                   path.string() + ":/input/toml", rigs),
+                                                   path.string() + ":/input/toml", rigs,
+                                                   input::stored_files(read_files(file))),
                           {},
                           hdf5::text_attribute(file, "/", "ended")};
         for (auto const& wave : hdf5::children(file, "/waves"))

@@ -364,6 +364,7 @@ std::int64_t integer_attribute(hid_t at, std::string const& path, std::string co
     template Array<T> read_rows<T>(hid_t, std::string const&, std::size_t, std::size_t);
 DEMENS_INSTANTIATE(double)
 DEMENS_INSTANTIATE(float)
+DEMENS_INSTANTIATE(std::uint8_t)
 DEMENS_INSTANTIATE(int)
 DEMENS_INSTANTIATE(std::int64_t)
 DEMENS_INSTANTIATE(std::uint64_t)

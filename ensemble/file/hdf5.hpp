@@ -76,6 +76,11 @@ inline hid_t type_of<float>()
     return H5T_NATIVE_FLOAT;
 }
 template <>
+inline hid_t type_of<std::uint8_t>()
+{
+    return H5T_NATIVE_UINT8;
+}
+template <>
 inline hid_t type_of<int>()
 {
     return H5T_NATIVE_INT;

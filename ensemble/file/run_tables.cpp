@@ -49,7 +49,7 @@ std::string responses_path(int wave, Experiment const& experiment)
 void write_responses(RowWriter const& writer, Wave const& wave, CampaignInput const& input,
                      std::size_t experiment)
 {
-    auto const& infos = input.experiments[experiment].rig->responses;
+    auto const& infos = input.experiments[experiment].responses;
     hdf5::Meaning meaning{{}, {}, "responses, one row per run of the wave; NaN in rows of other experiments"};
     for (auto const& info : infos) {
         meaning.columns.push_back(info.name);
@@ -81,7 +81,7 @@ void read_results(hid_t file, Wave& wave, CampaignInput const& input)
     auto const particles = hdf5::read<std::int64_t>(file, table + "particles");
     std::vector<std::vector<double>> responses;
     for (auto const& experiment : input.experiments)
-        responses.push_back(experiment.rig->responses.empty()
+        responses.push_back(experiment.responses.empty()
                                 ? std::vector<double>()
                                 : hdf5::read<double>(file, responses_path(wave.number, experiment)));
     for (std::size_t i = 0; i < wave.runs.size(); ++i) {
@@ -95,7 +95,7 @@ void read_results(hid_t file, Wave& wave, CampaignInput const& input)
         run.steps = steps.at(i);
         run.particles = particles.at(i);
         auto const e = static_cast<std::size_t>(run.experiment);
-        auto const width = input.experiments.at(e).rig->responses.size();
+        auto const width = input.experiments.at(e).responses.size();
         auto const row = responses[e].begin() + static_cast<std::ptrdiff_t>(i * width);
         run.responses.assign(row, row + static_cast<std::ptrdiff_t>(width));
     }

@@ -2,17 +2,36 @@
 
 namespace demens::ensemble::input {
 
-OptionValues& BaseInput::table_of(ScalarPlace const& place)
+namespace {
+
+OptionValues& table_of(BaseInput& base, ScalarPlace const& place)
 {
     switch (place.table) {
     case ScalarPlace::Table::material:
-        return materials.at(place.index).values;
+        return base.materials.at(place.index).values;
     case ScalarPlace::Table::pair:
-        return pairs.at(place.index).values;
+        return base.pairs.at(place.index).values;
     case ScalarPlace::Table::experiment:
         break;
     }
-    return experiments.at(place.index);
+    auto* table = &base.experiments.at(place.index);
+    for (auto const& [key, number] : place.inside)
+        table = &table->table(key, number);
+    return *table;
+}
+
+} // namespace
+
+void BaseInput::set(ScalarPlace const& place, double value)
+{
+    auto& table = table_of(*this, place);
+    if (place.component < 0) {
+        table.set(place.key, value);
+        return;
+    }
+    auto vector = table.vector(place.key);
+    (place.component == 0 ? vector.x : place.component == 1 ? vector.y : vector.z) = value;
+    table.set(place.key, vector);
 }
 
 std::vector<std::string> BaseInput::material_names() const
@@ -36,7 +55,7 @@ rig::RunInput make_run_input(BaseInput base, std::vector<double> const& factor_v
 {
     for (std::size_t f = 0; f < factor_values.size(); ++f)
         for (auto const& place : base.factor_places.at(f))
-            base.table_of(place).set(place.key, factor_values[f]);
+            base.set(place, factor_values[f]);
 
     rig::RunInput input;
     for (auto const& material : base.materials)
@@ -47,6 +66,7 @@ rig::RunInput make_run_input(BaseInput base, std::vector<double> const& factor_v
         input.size_distributions.emplace(sizes.name, make_size_distribution(sizes));
     input.experiment = base.experiments.at(static_cast<std::size_t>(experiment));
     input.seed = seed;
+    input.files = base.files;
     return input;
 }
 

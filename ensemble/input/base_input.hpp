@@ -43,7 +43,9 @@ struct ScalarPlace
         experiment
     } table;
     std::size_t index; //!< of the material, pair or experiment
-    std::string key;
+    std::vector<std::pair<std::string, std::size_t>> inside = {}; //!< tables in the experiment: key and number
+    std::string key = {};
+    int component = -1; //!< of a vector: 0, 1, 2
 
     friend bool operator==(ScalarPlace const&, ScalarPlace const&) = default;
 };
@@ -57,7 +59,9 @@ struct BaseInput
     std::vector<OptionValues> experiments;               //!< options of the rig, one entry an experiment
     std::vector<std::vector<ScalarPlace>> factor_places; //!< one entry a factor
 
-    OptionValues& table_of(ScalarPlace const& place);
+    rig::Files files;                                    //!< that the experiments name
+
+    void set(ScalarPlace const& place, double value);
     std::vector<std::string> material_names() const;
     std::vector<std::string> size_distribution_names() const;
 };
@@ -72,7 +76,7 @@ struct ReadExperiments
     std::vector<InputTable> tables;
 };
 ReadExperiments read_experiments(InputTable const& file, BaseInput& base,
-                                 std::vector<rig::RigInfo> const& rigs);
+                                 std::vector<rig::RigInfo> const& rigs, FileSource const& files);
 //! Reads `[[factor]]`; what they replace goes to `base`.
 std::vector<Factor> read_factors(InputTable const& file, BaseInput& base,
                                  std::vector<Experiment> const& experiments);

@@ -40,11 +40,12 @@ CampaignInput CampaignInput::from_file(std::filesystem::path const& file,
     if (!stream || std::filesystem::is_directory(file))
         throw InputError(file.string() + ": cannot be read; give a campaign's TOML file");
     std::string const text{std::istreambuf_iterator<char>(stream), {}};
-    return from_text(text, file.string(), rigs);
+    return from_text(text, file.string(), rigs, input::files_beside(file));
 }
 
 CampaignInput CampaignInput::from_text(std::string const& toml, std::string const& origin,
-                                       std::vector<rig::RigInfo> const& rigs)
+                                       std::vector<rig::RigInfo> const& rigs,
+                                       input::FileSource const& files)
 {
     auto const parsed = parse(toml, origin);
     input::InputTable const file(parsed, "", origin);
@@ -57,7 +58,7 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     campaign.seed = static_cast<std::uint64_t>(header.integer("seed"));
 
     auto tree = std::make_shared<Tree>(Tree{input::read_base_model(file)});
-    auto [experiments, experiment_tables] = input::read_experiments(file, *tree, rigs);
+    auto [experiments, experiment_tables] = input::read_experiments(file, *tree, rigs, files);
     campaign.experiments = std::move(experiments);
     campaign.factors = input::read_factors(file, *tree, campaign.experiments);
     campaign.constraints = input::read_constraints(file, *tree, campaign.experiments, campaign.factors);
@@ -78,6 +79,12 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     campaign.resolved_text_ = input::resolved_text(campaign, *tree);
     campaign.tree_ = std::move(tree);
     return campaign;
+}
+
+rig::Files const& CampaignInput::files() const
+{
+    static rig::Files const none;
+    return tree_ ? tree_->files : none;
 }
 
 rig::RunInput CampaignInput::run_input(std::vector<double> const& factor_values, int point, int experiment,

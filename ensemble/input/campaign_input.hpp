@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demens/rig/rig.hpp"
+#include "ensemble/input/file_source.hpp"
 
 #include <filesystem>
 #include <string>
@@ -12,7 +13,7 @@ namespace demens::ensemble {
 struct Target
 {
     std::string response; //!< name of a response of the experiment's rig
-    int response_index;   //!< its place in RigInfo::responses
+    int response_index;   //!< its place in Experiment::responses
     double value;         //!< in the unit the name carries
     double scale;         //!< the deviation that counts as one, same unit, > 0
     double sd;            //!< standard deviation of the measurement; NaN: not given
@@ -25,6 +26,7 @@ struct Experiment
     std::string name;
     rig::RigInfo const* rig;
     int replicates = 1; //!< runs per design point, each with its own packing seed
+    std::vector<rig::ResponseInfo> responses; //!< what it measures
     std::vector<Target> targets;
 };
 
@@ -98,9 +100,10 @@ class CampaignInput
     //! \param rigs what `rig = "..."` may name; must outlive the campaign
     static CampaignInput from_file(std::filesystem::path const& file,
                                    std::vector<rig::RigInfo> const& rigs = rig::all_rigs());
-    //! The same from text; `origin` stands for the file in messages.
+    //! The same from text; `origin` stands for the file in messages, `files` has those that the text names.
     static CampaignInput from_text(std::string const& toml, std::string const& origin,
-                                   std::vector<rig::RigInfo> const& rigs = rig::all_rigs());
+                                   std::vector<rig::RigInfo> const& rigs = rig::all_rigs(),
+                                   input::FileSource const& files = input::no_files);
 
     std::string name;
     std::uint64_t seed = 1;
@@ -117,6 +120,8 @@ class CampaignInput
     std::string const& text() const { return text_; }
     //! The same as TOML with every default written out; reading it gives this campaign again.
     std::string const& resolved_text() const { return resolved_text_; }
+    //! Contents of the files that it names.
+    rig::Files const& files() const;
 
     //! Input of one run: factor values set at their paths, the seed derived from (campaign seed, point,
     //! experiment, replicate). \throws InputError when the values make an input that a rig refuses.

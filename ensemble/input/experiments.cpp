@@ -1,6 +1,7 @@
 #include "ensemble/input/base_input.hpp"
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/nearest.hpp"
+#include "ensemble/input/nested_tables.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -28,33 +29,18 @@ rig::RigInfo const& rig_of(InputTable const& table, std::vector<rig::RigInfo> co
     throw table.error("rig", "there is no such rig; " + suggestion(name, names));
 }
 
-//! Words that must name a material or a size distribution do so.
-void check_names(InputTable const& table, std::vector<OptionSpec> const& specs, OptionValues const& values,
-                 BaseInput const& base)
-{
-    for (auto const& spec : specs) {
-        if (spec.names_entry_of.empty() || values.text(spec.key).empty())
-            continue;
-        auto const& name = values.text(spec.key);
-        auto const known =
-            spec.names_entry_of == "material" ? base.material_names() : base.size_distribution_names();
-        if (std::find(known.begin(), known.end(), name) == known.end())
-            throw table.error(spec.key, fmt::format("there is no [{}.{}]; {}", spec.names_entry_of, name,
-                                                    suggestion(name, known)));
-    }
-}
-
-std::vector<Target> read_targets(InputTable const& targets, rig::RigInfo const& rig)
+std::vector<Target> read_targets(InputTable const& targets, std::string const& rig,
+                                 std::vector<rig::ResponseInfo> const& infos)
 {
     std::vector<std::string> responses;
-    for (auto const& response : rig.responses)
+    for (auto const& response : infos)
         responses.push_back(response.name);
 
     std::vector<Target> read;
     for (auto const& name : targets.keys()) {
         auto const found = std::find(responses.begin(), responses.end(), name);
         if (found == responses.end())
-            throw targets.error(name, fmt::format("the rig {} has no such response; {}", rig.name,
+            throw targets.error(name, fmt::format("the rig {} has no such response; {}", rig,
                                                   suggestion(name, responses)));
         auto const values = targets.table(name).read(target_options());
         read.push_back({name, static_cast<int>(found - responses.begin()), values.number("value"),
@@ -66,7 +52,7 @@ std::vector<Target> read_targets(InputTable const& targets, rig::RigInfo const& 
 } // namespace
 
 ReadExperiments read_experiments(InputTable const& file, BaseInput& base,
-                                 std::vector<rig::RigInfo> const& rigs)
+                                 std::vector<rig::RigInfo> const& rigs, FileSource const& files)
 {
     ReadExperiments read;
     read.tables = file.table_list("experiment");
@@ -79,18 +65,25 @@ ReadExperiments read_experiments(InputTable const& file, BaseInput& base,
         auto const& rig = rig_of(table, rigs);
         auto specs = experiment_options();
         specs.insert(specs.end(), rig.options.begin(), rig.options.end());
-        auto values = table.read(specs, {"target"});
+        std::vector<std::string> others = {"target"};
+        for (auto const& inside : rig.tables)
+            others.push_back(inside.key);
+        auto values = table.read(specs, others);
         auto const name = values.text("name");
         for (auto const& other : read.experiments)
             if (other.name == name)
                 throw table.error("name", "two experiments have this name; give each its own");
-        check_names(table, rig.options, values, base);
 
-        read.experiments.push_back({name, &rig, static_cast<int>(values.integer("replicates")),
-                                    read_targets(table.table("target"), rig)});
         OptionValues rig_values;
         for (auto const& spec : rig.options)
             rig_values.set(spec.key, values.all().at(spec.key));
+        read_tables(table, rig.tables, rig_values);
+        check_references(table, rig, rig_values, base);
+        read_files(table, rig, rig_values, files, base.files);
+        auto responses = rig::responses_of(rig, rig_values);
+        auto targets = read_targets(table.table("target"), rig.name, responses);
+        read.experiments.push_back({name, &rig, static_cast<int>(values.integer("replicates")),
+                                    std::move(responses), std::move(targets)});
         base.experiments.push_back(std::move(rig_values));
     }
     if (read.experiments.empty())

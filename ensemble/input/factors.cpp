@@ -90,7 +90,7 @@ std::vector<Factor> read_factors(InputTable const& file, BaseInput& base,
 
         Factor factor{resolved.path, values.text("name"), 0, 0};
         if (factor.name.empty())
-            factor.name = resolved.places.front().key;
+            factor.name = resolved.spec.key;
         check_name(table, "name", factor.name);
         factor.log_scale = values.text("scale") == "log";
         read_range(table, values, factor);

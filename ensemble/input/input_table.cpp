@@ -133,12 +133,30 @@ OptionValue InputTable::read_option(OptionSpec const& spec) const
             throw wrong_type("true or false");
         return *node.value<bool>();
     }
+    if (std::holds_alternative<Vector3>(spec.default_value)) {
+        auto const* list = node.as_array();
+        if (!list || list->size() != 3)
+            throw wrong_type("a vector [x, y, z] of three numbers");
+        auto const components = numbers(spec.key);
+        for (double const component : components)
+            check_range(component);
+        return Vector3{components[0], components[1], components[2]};
+    }
+    auto const check_choice = [&](std::string const& value) {
+        auto const& choices = spec.choices;
+        if (!choices.empty() && std::find(choices.begin(), choices.end(), value) == choices.end())
+            throw error(spec.key, fmt::format("must be one of {} ({})", fmt::join(choices, ", "), spec.doc));
+    };
+    if (std::holds_alternative<std::vector<std::string>>(spec.default_value)) {
+        auto const values = words(spec.key);
+        for (auto const& value : values)
+            check_choice(value);
+        return values;
+    }
     if (!node.is_string())
         throw wrong_type("a word in quotes");
     auto const value = *node.value<std::string>();
-    auto const& choices = spec.choices;
-    if (!choices.empty() && std::find(choices.begin(), choices.end(), value) == choices.end())
-        throw error(spec.key, fmt::format("must be one of {} ({})", fmt::join(choices, ", "), spec.doc));
+    check_choice(value);
     return value;
 }
 

@@ -31,7 +31,7 @@ class InputTable
     OptionValues read(std::vector<OptionSpec> const& specs,
                       std::vector<std::string> const& others = {}) const;
 
-    //! One option that must be there; for keys that decide how the others are read.
+    //! One option that must be in the table; for keys that decide how the others are read.
     OptionValue read_option(OptionSpec const& spec) const;
     //! Lists; empty when the key is absent.
     std::vector<double> numbers(std::string const& key) const;

@@ -1,6 +1,9 @@
 #include "ensemble/input/base_input.hpp"
 
+#include "ensemble/input/nested_tables.hpp"
+
 #include <algorithm>
+#include <functional>
 
 namespace demens::ensemble::input {
 namespace {
@@ -24,6 +27,65 @@ OptionSpec const* find(std::vector<OptionSpec> const& specs, std::string const& 
     return found == specs.end() ? nullptr : &*found;
 }
 
+//! Calls `visit(path, place, spec)` for every number in the options and tables inside an experiment.
+class ExperimentNumbers
+{
+  public:
+    using Visit = std::function<void(std::string const& path, ScalarPlace const&, OptionSpec const&)>;
+    ExperimentNumbers(std::size_t experiment, Visit visit)
+        : place_{ScalarPlace::Table::experiment, experiment}, visit_(std::move(visit))
+    {
+    }
+
+    void options(std::string const& above, std::vector<OptionSpec> const& specs)
+    {
+        for (auto spec : specs) {
+            place_.key = spec.key;
+            auto const path = above + spec.key;
+            if (!std::holds_alternative<Vector3>(spec.default_value)) {
+                visit_(path, place_, spec);
+                continue;
+            }
+            auto const key = spec.key;
+            spec.default_value = 0.0;
+            for (place_.component = 0; place_.component < 3; ++place_.component) {
+                std::string const component(1, "xyz"[place_.component]);
+                spec.key = key + "_" + component;
+                visit_(path + "." + component, place_, spec);
+            }
+            place_.component = -1;
+        }
+    }
+
+    void tables(std::string const& above, std::vector<TableSpec> const& specs, OptionValues const& values)
+    {
+        for (auto const& spec : specs) {
+            auto const& entries = values.tables(spec.key);
+            for (std::size_t n = 0; n < entries.size(); ++n) {
+                auto const path = above + spec.key + "." + entry_name(entries[n], n) + ".";
+                place_.inside.emplace_back(spec.key, n);
+                options(path, options_of(spec, entries[n]));
+                tables(path, spec.tables, entries[n]);
+                place_.inside.pop_back();
+            }
+        }
+    }
+
+  private:
+    ScalarPlace place_;
+    Visit visit_;
+};
+
+//! Visits every number of an experiment by its path inside the experiment.
+void for_each_number(BaseInput const& base, std::vector<Experiment> const& experiments, std::size_t experiment,
+                     ExperimentNumbers::Visit visit)
+{
+    auto const& rig = *experiments[experiment].rig;
+    ExperimentNumbers numbers(experiment, std::move(visit));
+    numbers.options("", rig.options);
+    numbers.tables("", rig.tables, base.experiments[experiment]);
+}
+
 bool is_continuous(OptionSpec const& spec)
 {
     return std::holds_alternative<double>(spec.default_value);
@@ -39,7 +101,7 @@ ResolvedPath resolve_path(std::string const& path, BaseInput const& base,
     ResolvedPath resolved{path, {}, {}};
     auto const add = [&](Table table, std::size_t index, OptionSpec const* spec) {
         if (spec) {
-            resolved.places.push_back({table, index, spec->key});
+            resolved.places.push_back({table, index, {}, spec->key});
             resolved.spec = *spec;
         }
     };
@@ -56,10 +118,14 @@ ResolvedPath resolve_path(std::string const& path, BaseInput const& base,
                 resolved.path = "contact." + pair.name() + "." + parts[2];
             }
         }
-    } else if (parts[0] == "experiment" && (parts.size() == 2 || parts.size() == 3)) {
+    } else if (parts[0] == "experiment") {
         for (std::size_t i = 0; i < experiments.size(); ++i)
-            if (parts.size() == 2 || parts[1] == experiments[i].name)
-                add(Table::experiment, i, find(experiments[i].rig->options, parts.back()));
+            for_each_number(base, experiments, i, [&](auto const& inside, auto const& place, auto const& spec) {
+                if (path != "experiment." + experiments[i].name + "." + inside && path != "experiment." + inside)
+                    return;
+                resolved.places.push_back(place);
+                resolved.spec = spec;
+            });
     }
     return resolved;
 }
@@ -67,12 +133,13 @@ ResolvedPath resolve_path(std::string const& path, BaseInput const& base,
 std::vector<std::string> all_paths(BaseInput const& base, std::vector<Experiment> const& experiments)
 {
     std::vector<std::string> paths;
+    auto const add_path = [&](std::string const& path, OptionSpec const& spec) {
+        if (is_continuous(spec) && std::find(paths.begin(), paths.end(), path) == paths.end())
+            paths.push_back(path);
+    };
     auto const add = [&](std::string const& table, std::vector<OptionSpec> const& specs) {
-        for (auto const& spec : specs) {
-            auto const path = table + "." + spec.key;
-            if (is_continuous(spec) && std::find(paths.begin(), paths.end(), path) == paths.end())
-                paths.push_back(path);
-        }
+        for (auto const& spec : specs)
+            add_path(table + "." + spec.key, spec);
     };
     for (auto const& material : base.materials)
         add("material." + material.name, contact::material_options());
@@ -80,10 +147,12 @@ std::vector<std::string> all_paths(BaseInput const& base, std::vector<Experiment
         add("contact." + pair.name(), contact::pair_options());
         add("contact." + pair.second + "_" + pair.first, contact::pair_options());
     }
-    for (auto const& experiment : experiments)
-        add("experiment." + experiment.name, experiment.rig->options);
-    for (auto const& experiment : experiments)
-        add("experiment", experiment.rig->options);
+    for (bool const with_name : {true, false})
+        for (std::size_t i = 0; i < experiments.size(); ++i)
+            for_each_number(base, experiments, i, [&](auto const& inside, auto const&, auto const& spec) {
+                auto const above = with_name ? "experiment." + experiments[i].name : "experiment";
+                add_path(above + "." + inside, spec);
+            });
     return paths;
 }
 

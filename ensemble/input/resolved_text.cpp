@@ -5,11 +5,19 @@
 #include "ensemble/input/toml_text.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
 namespace demens::ensemble::input {
 namespace {
+
+template <class Values, class Text>
+std::string list(Values const& values, Text const& text)
+{
+    std::string joined;
+    for (auto const& value : values)
+        joined += (joined.empty() ? "" : ", ") + text(value);
+    return "[" + joined + "]";
+}
 
 std::string text_of(OptionValue const& value)
 {
@@ -19,23 +27,10 @@ std::string text_of(OptionValue const& value)
         std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
         std::string operator()(bool v) const { return v ? "true" : "false"; }
         std::string operator()(std::string const& v) const { return quoted(v); }
+        std::string operator()(Vector3 const& v) const { return list(std::vector{v.x, v.y, v.z}, number_text); }
+        std::string operator()(std::vector<std::string> const& v) const { return list(v, quoted); }
     } const text;
     return std::visit(text, value);
-}
-
-//! An option that its author may leave without any value.
-bool is_absent(OptionValue const& value)
-{
-    return std::holds_alternative<double>(value) && std::isnan(std::get<double>(value));
-}
-
-template <class Values, class Text>
-std::string list(Values const& values, Text const& text)
-{
-    std::string joined;
-    for (auto const& value : values)
-        joined += (joined.empty() ? "" : ", ") + text(value);
-    return "[" + joined + "]";
 }
 
 //! Writes sections one after the other.
@@ -58,6 +53,16 @@ class Writer
         for (auto const& spec : specs)
             if (auto const found = values.find(spec.key); found != values.end())
                 line(spec.key, found->second, spec.doc);
+    }
+    void tables(std::string const& above, std::vector<TableSpec> const& specs, OptionValues const& values)
+    {
+        for (auto const& spec : specs)
+            for (auto const& entry : values.tables(spec.key)) {
+                auto const name = above + "." + spec.key;
+                heading("[[" + name + "]]");
+                options(options_of(spec, entry), entry);
+                tables(name, spec.tables, entry);
+            }
     }
     template <class Section>
     void section(std::string const& name, Section const& section)
@@ -109,9 +114,10 @@ void write_experiment(Writer& out, Experiment const& experiment, OptionValues co
         for (auto const& spec : target_options())
             if (auto const& value = values.all().at(spec.key); !is_absent(value))
                 members += fmt::format("{}{} = {}", members.empty() ? "" : ", ", spec.key, text_of(value));
-        auto const& response = experiment.rig->responses[static_cast<std::size_t>(target.response_index)];
+        auto const& response = experiment.responses[static_cast<std::size_t>(target.response_index)];
         out.line("target." + target.response, "{ " + members + " }", response.doc);
     }
+    out.tables("experiment", experiment.rig->tables, rig_values);
 }
 
 void write_factor(Writer& out, Factor const& factor)

@@ -18,29 +18,29 @@ void fail(rig::RunResult& result, rig::RunStatus status, std::string reason)
 }
 
 //! A rig's promises, checked: what breaks them must not reach a fit.
-void check_result(rig::RunResult& result, rig::RigInfo const& rig)
+void check_result(rig::RunResult& result, Experiment const& experiment)
 {
     if (result.status == rig::RunStatus::finished) {
-        if (result.responses.size() != rig.responses.size())
+        if (result.responses.size() != experiment.responses.size())
             fail(result, rig::RunStatus::error,
-                 fmt::format("rig \"{}\" gave {} responses instead of {}", rig.name, result.responses.size(),
-                             rig.responses.size()));
+                 fmt::format("rig \"{}\" gave {} responses instead of {}", experiment.rig->name, result.responses.size(),
+                             experiment.responses.size()));
         for (std::size_t k = 0; k < result.responses.size() && result.status == rig::RunStatus::finished; ++k)
             if (!std::isfinite(result.responses[k]))
                 fail(result, rig::RunStatus::not_a_number,
-                     fmt::format("response {} is {}", rig.responses[k].name, result.responses[k]));
+                     fmt::format("response {} is {}", experiment.responses[k].name, result.responses[k]));
     } else if (result.status == rig::RunStatus::not_run) {
-        fail(result, rig::RunStatus::error, fmt::format("rig \"{}\" gave no status", rig.name));
+        fail(result, rig::RunStatus::error, fmt::format("rig \"{}\" gave no status", experiment.rig->name));
     }
-    result.responses.resize(rig.responses.size(), std::numeric_limits<double>::quiet_NaN());
+    result.responses.resize(experiment.responses.size(), std::numeric_limits<double>::quiet_NaN());
 }
 
 rig::RunResult simulate(CampaignInput const& input, RunRecord const& plan, rig::RunHooks const& hooks)
 {
-    auto const& rig = *input.experiments.at(static_cast<std::size_t>(plan.experiment)).rig;
+    auto const& experiment = input.experiments.at(static_cast<std::size_t>(plan.experiment));
     rig::RunResult result;
     try {
-        result = rig.run(input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate), hooks);
+        result = experiment.rig->run(input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate), hooks);
     } catch (rig::RunInterrupted const&) {
         throw;
     } catch (std::bad_alloc const&) {
@@ -50,7 +50,7 @@ rig::RunResult simulate(CampaignInput const& input, RunRecord const& plan, rig::
     } catch (...) {
         fail(result, rig::RunStatus::error, "unknown exception");
     }
-    check_result(result, rig);
+    check_result(result, experiment);
     return result;
 }
 

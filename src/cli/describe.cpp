@@ -27,6 +27,10 @@ std::string default_text(OptionSpec const& spec)
         return fmt::format("{}", *integer);
     if (auto const* flag = std::get_if<bool>(&spec.default_value))
         return *flag ? "true" : "false";
+    if (auto const* vector = std::get_if<Vector3>(&spec.default_value))
+        return is_absent(*vector) ? "-" : fmt::format("[{}, {}, {}]", vector->x, vector->y, vector->z);
+    if (std::holds_alternative<std::vector<std::string>>(spec.default_value))
+        return "[]";
     return quoted(std::get<std::string>(spec.default_value));
 }
 
@@ -35,7 +39,9 @@ std::string allowed_text(OptionSpec const& spec)
     if (!spec.choices.empty())
         return fmt::format("; one of {}", fmt::join(spec.choices, ", "));
     if (!spec.names_entry_of.empty())
-        return fmt::format("; names a [{}.NAME]", spec.names_entry_of);
+        return spec.names_entry_of == "material" || spec.names_entry_of == "size_distribution"
+                   ? fmt::format("; names a [{}.NAME]", spec.names_entry_of)
+                   : fmt::format("; the name of an [[experiment.{}]]", spec.names_entry_of);
     auto const range = range_text(spec);
     return range.empty() ? "" : "; " + range;
 }
@@ -54,11 +60,28 @@ void print_section(SectionInfo const& section)
         fmt::print("  {:<28} {:<20} {}\n", list.key, "list of " + list.type, list.doc);
 }
 
+void print_tables(std::string const& above, std::vector<TableSpec> const& specs)
+{
+    for (auto const& spec : specs) {
+        auto const name = above + "." + spec.key;
+        fmt::print("\n[[{}]]: {}\n", name, spec.doc);
+        print_options(spec.options);
+        for (auto const& kind : spec.kinds) {
+            fmt::print(" {} = \"{}\"{}: {}\n", spec.kind_key, kind.name,
+                       kind.name == spec.default_kind ? " (default)" : "", kind.doc);
+            print_options(kind.options);
+        }
+        print_tables(name, spec.tables);
+    }
+}
+
 void print_rig(rig::RigInfo const& rig)
 {
     fmt::print("{}: {}\n\noptions of its [[experiment]], with defaults:\n", rig.name, rig.doc);
     print_options(rig.options);
-    fmt::print("\nresponses, for target.RESPONSE:\n");
+    print_tables("experiment", rig.tables);
+    fmt::print("\nresponses, for target.RESPONSE{}:\n",
+               rig.asked_responses ? "; beside those that the experiment asks for" : "");
     for (auto const& response : rig.responses)
         fmt::print("  {:<28} {:<20} {}\n", response.name, response.units, response.doc);
 }

@@ -7,6 +7,7 @@
 #include "ensemble/storage/parts.hpp"
 #include "tao_calib/design/design.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace demens::cli {
@@ -47,6 +48,13 @@ int make_new(fs::path const& toml, fs::path const& file, IfExists if_exists)
         ensemble::create_campaign_file(file, input);
     fmt::print("wrote {}; run it with: mpirun -n N demens {}\n", file.string(), file.string());
     return success;
+}
+
+bool same_files(rig::Files const& a, rig::Files const& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](auto const& f, auto const& g) {
+        return f.first == g.first && *f.second == *g.second;
+    });
 }
 
 } // namespace
@@ -90,7 +98,8 @@ void make_or_accept(fs::path const& toml, fs::path const& campaign_file)
     }
     auto const input = CampaignInput::from_file(toml);
     auto const stored = ensemble::read_campaign_file(campaign_file).input;
-    if (stored.text() != input.text() && stored.resolved_text() != input.resolved_text())
+    bool const same_text = stored.text() == input.text() || stored.resolved_text() == input.resolved_text();
+    if (!same_text || !same_files(stored.files(), input.files()))
         throw InputError(
             fmt::format("{0}: was made of another input than {1} is now; run {0} to go on with it, or make "
                         "a new one with: demens new {1} --output OTHER.h5",

@@ -38,16 +38,16 @@ bool same(double a, double b)
 }
 
 //! Tells the result beside the stored one. \return whether they are the same
-bool compare(rig::RigInfo const& rig, ensemble::RunRecord const& stored, rig::RunResult const& result)
+bool compare(ensemble::Experiment const& experiment, ensemble::RunRecord const& stored, rig::RunResult const& result)
 {
     bool all_same = stored.status == result.status;
     fmt::print("status: {}{}{}; stored: {}\n", name_of(result.status), result.reason.empty() ? "" : ": ",
                result.reason, name_of(stored.status));
-    for (std::size_t k = 0; k < rig.responses.size(); ++k) {
+    for (std::size_t k = 0; k < experiment.responses.size(); ++k) {
         double const now = k < result.responses.size() ? result.responses[k] : std::nan("");
         double const before = k < stored.responses.size() ? stored.responses[k] : std::nan("");
         all_same = all_same && same(now, before);
-        fmt::print("{:<24} {:<24} stored {:<24} {}\n", rig.responses[k].name, now, before,
+        fmt::print("{:<24} {:<24} stored {:<24} {}\n", experiment.responses[k].name, now, before,
                    same(now, before) ? "the same bits" : "DIFFERENT");
     }
     return all_same;
@@ -57,7 +57,7 @@ int replay(ReplayOptions const& options)
 {
     auto const campaign = ensemble::read_campaign_file(options.file);
     auto const stored = record_of(campaign, options);
-    auto const& rig = *campaign.input.experiments.at(static_cast<std::size_t>(stored.experiment)).rig;
+    auto const& experiment = campaign.input.experiments.at(static_cast<std::size_t>(stored.experiment));
     auto const input =
         campaign.input.run_input(stored.factors, stored.point, stored.experiment, stored.replicate);
 
@@ -68,11 +68,11 @@ int replay(ReplayOptions const& options)
         hooks.frame_interval = options.frame_interval;
         hooks.on_frame = [&](auto const& snapshot) { frames->write(snapshot); };
     }
-    auto const result = rig.run(input, hooks);
+    auto const result = experiment.rig->run(input, hooks);
 
     if (frames)
         fmt::print("wrote {} frames; open {}/particles.pvd in ParaView\n", frames->size(), options.frames);
-    bool const all_same = compare(rig, stored, result);
+    bool const all_same = compare(experiment, stored, result);
     return options.check && !all_same ? failure : success;
 }
 

@@ -30,6 +30,16 @@ char const* name_of(RunStatus status)
     return "unknown";
 }
 
+std::vector<ResponseInfo> responses_of(RigInfo const& rig, OptionValues const& experiment)
+{
+    auto responses = rig.responses;
+    if (rig.asked_responses) {
+        auto const asked = rig.asked_responses(experiment);
+        responses.insert(responses.end(), asked.begin(), asked.end());
+    }
+    return responses;
+}
+
 std::vector<RigInfo> const& all_rigs()
 {
     static std::vector<RigInfo> const rigs = {drawdown_rig(), impact_rig()};

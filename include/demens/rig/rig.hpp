@@ -50,7 +50,7 @@ struct RunResult
 {
     RunStatus status = RunStatus::not_run;
     std::string reason;            //!< why it did not finish; empty when it did
-    std::vector<double> responses; //!< in the order of the rig's `responses`; NaN where not reached
+    std::vector<double> responses; //!< in the order of `responses_of`; NaN where not reached
     Series series;
     std::vector<Snapshot> snapshots; //!< the rig's few landmarks
     double simulated_time = 0;       //!< [s]
@@ -58,13 +58,17 @@ struct RunResult
     std::int64_t particles = 0;
 };
 
+//! Contents of the files that an input names, by their names as its author wrote them.
+using Files = std::map<std::string, std::shared_ptr<std::string const>>;
+
 //! Everything that determines one run's result.
 struct RunInput
 {
     contact::Model model;
     std::map<std::string, shape::SizeDistribution> size_distributions;
-    OptionValues experiment; //!< checked values of the rig's options
+    OptionValues experiment; //!< checked values of the rig's options and tables
     std::uint64_t seed = 0;
+    Files files = {};
 };
 
 //! What the caller wants while a run goes on; nothing here changes the result.
@@ -87,14 +91,20 @@ struct RigInfo
     std::string name;                    //!< as in `rig = "drawdown"`
     std::string doc;                     //!< one line
     std::vector<OptionSpec> options;     //!< keys of its `[[experiment]]` table
-    std::vector<ResponseInfo> responses; //!< in the order of RunResult::responses
+    std::vector<TableSpec> tables = {};  //!< tables inside its `[[experiment]]` table
+    std::vector<ResponseInfo> responses; //!< of every experiment
+    //! Further ones that an experiment asks for.
+    std::function<std::vector<ResponseInfo>(OptionValues const&)> asked_responses = {};
     //! Everything that can be wrong with an input, checked before any run. \throws InputError
-    std::function<void(RunInput const&)> check;
+    std::function<void(RunInput const&)> check = {};
     //! Predicted cost [particle steps].
-    std::function<double(RunInput const&)> predict_cost;
+    std::function<double(RunInput const&)> predict_cost = {};
     //! Simulates. Does not throw for a failed run. \throws RunInterrupted
-    std::function<RunResult(RunInput const&, RunHooks const&)> run;
+    std::function<RunResult(RunInput const&, RunHooks const&)> run = {};
 };
+
+//! What an experiment of the rig measures, in the order of RunResult::responses.
+std::vector<ResponseInfo> responses_of(RigInfo const& rig, OptionValues const& experiment);
 
 //! All rigs, the one list of them.
 std::vector<RigInfo> const& all_rigs();

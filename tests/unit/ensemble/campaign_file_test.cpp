@@ -43,6 +43,25 @@ TEST(CampaignFile, KeepsTheInputByteForByte)
     EXPECT_EQ(campaign.ended, "");
 }
 
+TEST(CampaignFile, HoldsTheFilesThatTheInputNames)
+{
+    auto rigs = formula_rigs();
+    rigs.front().options.push_back(
+        {.key = "mesh", .default_value = std::string(), .doc = "a file", .names_file = true});
+    std::string const bytes("solid\0\xff\r\n", 9);
+    std::filesystem::create_directories("with_files/parts");
+    std::ofstream("with_files/parts/a.stl", std::ios::binary) << bytes;
+    std::ofstream("with_files/campaign.toml") << formula_campaign("mesh = \"parts/a.stl\"\n");
+    std::filesystem::remove("files.h5");
+    create_campaign_file("files.h5", CampaignInput::from_file("with_files/campaign.toml", rigs));
+    std::filesystem::remove_all("with_files"); // the campaign file must do without
+
+    auto const campaign = read_campaign_file("files.h5", rigs);
+    ASSERT_EQ(campaign.input.files().size(), 1u);
+    EXPECT_EQ(*campaign.input.files().at("parts/a.stl"), bytes);
+    EXPECT_EQ(*campaign.input.run_input({0.5, 0.5}, 0, 0, 0).files.at("parts/a.stl"), bytes);
+}
+
 TEST(CampaignFile, IsNotOverwritten)
 {
     create("twice.h5");

@@ -32,11 +32,13 @@ ensemble::CampaignInput sample_input()
     input.experiments = {{.name = "slow",
                           .rig = &sample_rig(),
                           .replicates = 2,
+                          .responses = sample_rig().responses,
                           .targets = {{"angle_of_repose_deg", 0, 30.0, 2.0, 0.5, 1.0},
                                       {"mass_flow_kg_s", 1, 5.0, 0.3, unknown, unknown}}},
                          {.name = "fast",
                           .rig = &sample_rig(),
                           .replicates = 2,
+                          .responses = sample_rig().responses,
                           .targets = {{"angle_of_repose_deg", 0, 28.0, 2.0, unknown, 2.0}}}};
     input.factors = {{.path = "contact.a_a.static_friction", .name = "static_friction", .lower = 0.1, .upper = 1.2},
                      {.path = "contact.a_a.rolling_friction", .name = "rolling_friction", .lower = 0.0, .upper = 0.6},

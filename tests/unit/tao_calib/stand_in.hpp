@@ -147,6 +147,7 @@ inline StandIn draw_down_campaign(std::vector<double> const& truth, std::vector<
     ensemble::Experiment experiment;
     experiment.name = "bench";
     experiment.rig = &draw_down_rig();
+    experiment.responses = draw_down_rig().responses;
     auto const responses = draw_down(truth, 0);
     double const scales[] = {2.0, 2.0, 0.3, 0.5}, sds[] = {0.5, 0.5, 0.08, 0.1};
     for (int t = 0; t < 4; ++t)

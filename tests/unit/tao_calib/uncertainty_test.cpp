@@ -18,6 +18,7 @@ StandIn linear(StandIn::Formula const& formula, rig::RigInfo const& rig, std::ve
     ensemble::Experiment experiment;
     experiment.name = "bench";
     experiment.rig = &rig;
+    experiment.responses = rig.responses;
     for (std::size_t t = 0; t < targets.size(); ++t) {
         ensemble::Target target;
         target.response = rig.responses[t].name;

@@ -28,6 +28,7 @@ StandIn line(double tolerance = 0.1)
     ensemble::Experiment experiment;
     experiment.name = "bench";
     experiment.rig = &rig;
+    experiment.responses = rig.responses;
     experiment.targets.resize(1);
     auto& target = experiment.targets.front();
     target.response = "y";
