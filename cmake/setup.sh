@@ -6,7 +6,7 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none   # Open MPI 4
 export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_default_binding_policy=none # 5
 
-# missing_packages WHAT OPTIONAL: those of debian-packages.txt for WHAT (build, test) that are not installed.
+# missing_packages WHAT OPTIONAL: those of debian-packages.txt for WHAT (build, test, bench) that are not installed.
 missing_packages()
 {
     local package use optional

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "demens/dem/simulation.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace demens::bench {
+
+//! One sphere of a prepared state, SI units.
+struct Sphere
+{
+    double radius;
+    Vector3 position, velocity, spin;
+};
+
+//! A granular state that every code starts from: a dense bed in a box, or a drum in flow.
+struct State
+{
+    std::string kind;            //!< "box" or "drum"
+    double width = 0, depth = 0; //!< box: sides along x and y; drum: radius, length along y [m]
+    double spin = 0;             //!< of the drum about y [rad/s]
+    double time_step = 0;        //!< [s]
+    double skin = 0;             //!< of the neighbour list [m]
+    std::vector<Sphere> spheres = {};
+};
+
+//! E = 5 MPa, nu = 0.3, e = 0.4, mu = 0.5, mu_r = 0.1, 2500 kg/m^3: Hertz-Mindlin with history, as the peers
+//! have it; `rolling`: none or epsd2.
+contact::Model powder(std::string const& rolling);
+//! The state as a simulation, without contact histories.
+std::unique_ptr<dem::Simulation> make_simulation(State const& state, std::string const& rolling);
+
+//! Spheres of radius 0.5 to 1 mm at rest in a box as wide as the bed is high.
+State settled_box(int spheres);
+//! The same spheres in a drum, 25 % full, Froude number 0.01, after a quarter of a turn.
+State flowing_drum(int spheres);
+
+//! Exact text file. \throws InputError
+void write_state(State const& state, std::filesystem::path const& file);
+State read_state(std::filesystem::path const& file);
+//! The same state for `read_data` of LIGGGHTS and LAMMPS (atom style sphere).
+void write_peer_data(State const& state, std::filesystem::path const& file);
+//! The drum's mantle as an STL of the given number of quads around.
+void write_drum_stl(State const& state, int quads, std::filesystem::path const& file);
+
+} // namespace demens::bench
