@@ -172,7 +172,7 @@ void gather_wall_contacts(ContactBlock& b, ContactList const& list, Particles co
         b.vy[l] = m.vy - surface.y;
         b.vz[l] = m.vz - surface.z;
         b.wix[l] = m.wx, b.wiy[l] = m.wy, b.wiz[l] = m.wz;
-        b.wjx[l] = b.wjy[l] = b.wjz[l] = 0;
+        b.wjx[l] = wall.spin.x, b.wjy[l] = wall.spin.y, b.wjz[l] = wall.spin.z;
     }
     for (int l = 0; l < ContactBlock::padded(b.count); l += 4)
         load_history(b, l, list.state.data(), stride);

@@ -64,6 +64,22 @@ TEST(Rolling, DecaysUnderConstantTorque)
     EXPECT_NEAR(rolling.spin(0).y, w0 - 5.0 / 7 * mu_r * g * t / radius, 2e-3 * w0);
 }
 
+TEST(Rolling, DecaysExponentiallyUnderViscousTorque)
+{
+    // M = -d m g R w: a sphere that spins without friction loses w at the rate 5 d g/(2 R), one that rolls at
+    // 5 d g/(7 R).
+    double const viscosity = 4e-3, w0 = 20, t = 0.1;
+    for (bool const rolls : {false, true}) {
+        auto p = pair(rolls ? 0.5 : 0.0, contact::RollingLaw::viscous, 0);
+        p.rolling_viscosity = viscosity;
+        auto simulation = lying_sphere(p, {0, 0, -g}, {rolls ? w0 * radius : 0.0, 0, 0}, {0, w0, 0});
+        simulation.steps(10000);
+        double const expected = w0 * std::exp(-(rolls ? 5.0 / 7 : 2.5) * viscosity * g * t / radius);
+        EXPECT_NEAR(simulation.spin(0).y, expected, 1e-3 * w0) << rolls;
+        EXPECT_LT(expected, 0.8 * w0);
+    }
+}
+
 TEST(Rolling, DownAnInclineAgainstRollingFriction)
 {
     // v = 5/7 g (sin - mu_r cos) t.

@@ -26,7 +26,7 @@ struct alignas(64) ContactBlock
     Lane mass_i, mass_j;     //!< wall: mass_j is infinite [kg]
     Lane vx, vy, vz;         //!< velocity of i minus that of j [m/s]
     Lane wix, wiy, wiz;      //!< spin of i [rad/s]
-    Lane wjx, wjy, wjz;      //!< spin of j [rad/s]
+    Lane wjx, wjy, wjz;      //!< spin of j, also of a wall [rad/s]
     Lane state[max_state];   //!< history
 
     // Derived

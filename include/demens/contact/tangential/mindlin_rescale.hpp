@@ -29,12 +29,17 @@ class MindlinRescaleTangential
                                                         NormalResponse const& normal, double* scalars,
                                                         Vector3* vectors) const
     {
-        double const stiffness = 8 * shear_modulus_ * std::sqrt(contact.effective_radius * contact.overlap);
+        double const unit = 8 * shear_modulus_ * std::sqrt(contact.effective_radius);
         double const old_overlap = scalars[1];
         double const larger = contact.overlap < old_overlap ? old_overlap : contact.overlap;
+        double const smaller = contact.overlap < old_overlap ? contact.overlap : old_overlap;
+        double const root = std::sqrt(contact.overlap), stiffness = unit * root;
         double const shrink = std::sqrt(contact.overlap / (larger > 1e-300 ? larger : 1e-300));
+        // In loading the stiffness of the middle of the step, in unloading that to which the force has
+        // shrunk.
+        double const mean = 0.5 * unit * (root + std::sqrt(smaller));
         Vector3 const trial = shrink * turned_into_plane(vectors[0], contact.normal) -
-                              (stiffness * contact.time_step) * contact.tangent_velocity;
+                              (mean * contact.time_step) * contact.tangent_velocity;
         vectors[0] = friction_.limit(norm(trial), normal.limit, scalars[0]) * trial;
         scalars[1] = contact.overlap;
         double const viscous = (1 - scalars[0]) * damping_ * std::sqrt(stiffness * contact.effective_mass);
