@@ -20,6 +20,7 @@ void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& wal
     old_lists_.resize(lists.size());
     for (std::size_t k = 0; k < lists.size(); ++k) {
         std::swap(old_lists_[k].state, lists[k].state);
+        std::swap(old_lists_[k].offset, lists[k].offset);
         lists[k].clear();
     }
     if (periods_.any())
@@ -142,17 +143,39 @@ void NeighbourSearch::index_old_contacts(std::size_t particles, std::vector<Cont
 void NeighbourSearch::add_pair(ContactList& list, std::uint32_t i, std::uint32_t j)
 {
     list.add(i, j);
-    for (std::uint32_t k = old_start_[i]; k < old_start_[i + 1]; ++k) {
+    restore_histories(list, list.size() - 1);
+}
+
+void NeighbourSearch::add_patch(ContactList& list, std::uint32_t i, std::uint32_t wall,
+                                std::span<NearTriangle const> triangles)
+{
+    auto const slot = static_cast<std::uint32_t>(list.size());
+    auto const count = static_cast<std::uint32_t>(triangles.size());
+    list.patches.push_back({slot, std::min(count, MeshPatch::most_contacts),
+                            static_cast<std::uint32_t>(list.near_triangles.size()), count});
+    list.near_triangles.insert(list.near_triangles.end(), triangles.begin(), triangles.end());
+    for (std::uint32_t k = 0; k < list.patches.back().slots; ++k)
+        list.add(i, wall);
+    restore_histories(list, slot);
+}
+
+void NeighbourSearch::restore_histories(ContactList& list, std::size_t slot)
+{
+    std::uint32_t const i = list.first[slot], j = list.second[slot];
+    auto const size = static_cast<std::size_t>(list.state_size);
+    for (std::uint32_t k = old_start_[i]; k < old_start_[i + 1] && slot < list.size(); ++k) {
         OldContact const& old = old_contacts_[k];
         if (old.other != j || old.with_wall != list.with_wall)
             continue;
-        list.touching.back() = 1;
-        auto const size = static_cast<std::size_t>(list.state_size);
-        double const* from = old_lists_[old.list].state.data() + old.slot * size;
-        double* to = list.state.data() + (list.size() - 1) * size;
+        list.touching[slot] = 1;
+        ContactList const& from_list = old_lists_[old.list];
+        double const* from = from_list.state.data() + old.slot * size;
+        double* to = list.state.data() + slot * size;
         for (int c = 0; c < list.state_size; ++c)
             to[c] = old.reversed && c >= list.state_scalars ? -from[c] : from[c];
-        return;
+        if (list.with_wall)
+            list.offset[slot] = from_list.offset[old.slot];
+        ++slot;
     }
 }
 
@@ -242,9 +265,18 @@ void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector
         Wall const& wall = walls[w];
         if (!wall.active)
             continue;
-        for (std::uint32_t const i : particles_near(wall, particles, skin))
-            add_pair(lists[pair_lists + interaction_[particles.material[i] * materials_ + wall.material]], i,
-                     w);
+        WallNeighbours const found = find_neighbours(wall, particles, skin);
+        bool const is_mesh = std::holds_alternative<Mesh>(wall.shape);
+        for (std::size_t k = 0; k < found.particles.size(); ++k) {
+            std::uint32_t const i = found.particles[k];
+            auto& list = lists[pair_lists + interaction_[particles.material[i] * materials_ + wall.material]];
+            if (is_mesh)
+                add_patch(list, i, w,
+                          {found.near_triangles.data() + found.triangle_start[k],
+                           found.triangle_start[k + 1] - found.triangle_start[k]});
+            else
+                add_pair(list, i, w);
+        }
     }
 }
 

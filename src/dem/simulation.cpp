@@ -238,7 +238,7 @@ void Simulation::compute_contacts(ContactList& list)
             test_pairs(list, particles_, options_.periodic, range, touching_.data(), parted_.data());
     } else {
         std::tie(now, parted) =
-            test_wall_contacts(list, particles_, walls_, range, touching_.data(), parted_.data());
+            test_wall_contacts(list, particles_, walls_, range, travelled_, touching_.data(), parted_.data());
     }
     auto const state_size = static_cast<std::size_t>(list.state_size);
     for (std::size_t k = 0; k < parted; ++k)

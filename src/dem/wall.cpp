@@ -29,6 +29,25 @@ double extent_of(Shape const& shape)
     return std::fmax(std::hypot(m.height_start, m.radius_start), std::hypot(m.height_end, m.radius_end));
 }
 
+double extent_of(Mesh const& mesh)
+{
+    return mesh.mesh->extent();
+}
+
+template <class Shape>
+Vector3 centre_of(Shape const& shape)
+{
+    return shape.centre;
+}
+Vector3 centre_of(Mesh const& mesh)
+{
+    return mesh.placement(mesh.mesh->centre());
+}
+
+void place(Mesh& mesh, Placement const& placement)
+{
+    mesh.placement = placement * mesh.placement;
+}
 void place(Rectangle& r, Placement const& placement)
 {
     r.centre = placement(r.centre);
@@ -58,7 +77,7 @@ WallShape placed(WallShape const& shape, Placement const& placement)
 
 Vector3 centre(WallShape const& shape)
 {
-    return std::visit([](auto const& s) { return s.centre; }, shape);
+    return std::visit([](auto const& s) { return centre_of(s); }, shape);
 }
 
 Vector3 displacing_spin(WallShape const& shape, Vector3 const& spin)

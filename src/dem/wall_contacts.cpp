@@ -1,6 +1,11 @@
 #include "demens/dem/wall_contacts.hpp"
 
+#include "demens/dem/mesh_contacts.hpp"
+
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace demens::dem {
 namespace {
@@ -23,36 +28,80 @@ void test_slots(Shape const& shape, ContactList& list, Place const* places, std:
     }
 }
 
+//! Slots [from, to) are of one wall.
+struct Slots
+{
+    std::size_t from, to;
+};
+
+//! Tests the patches whose slots are among those of a mesh, from `patch` on; moves on past them.
+void test_patches(Mesh const& wall, ContactList& list, Place const* places, Slots slots,
+                  contact::Range const& range, double travelled, std::size_t& patch)
+{
+    MeshContactFinder finder;
+    for (; patch < list.patches.size() && list.patches[patch].first_slot < slots.to; ++patch) {
+        MeshPatch const& p = list.patches[patch];
+        Place const& place = places[list.first[p.first_slot]];
+        double const gap = std::max(range.reach(false), range.reach(true));
+        auto const contacts = finder.find(
+            *wall.mesh, {list.near_triangles.data() + p.first_triangle, p.triangles}, gap + 2 * travelled,
+            {wall.placement.inverse({place.x, place.y, place.z}), place.radius, place.radius + gap});
+        std::array<Vector3, MeshPatch::most_contacts> offsets;
+        std::transform(contacts.begin(), contacts.end(), offsets.begin(),
+                       [&](Vector3 const& offset) { return wall.placement.rotation(offset); });
+        assign_slots(list, p, {offsets.data(), contacts.size()});
+    }
+}
+
 } // namespace
 
-std::vector<std::uint32_t> particles_near(Wall const& wall, Particles const& particles, double reach)
+WallNeighbours find_neighbours(Wall const& wall, Particles const& particles, double reach)
 {
-    std::vector<std::uint32_t> near;
+    WallNeighbours found;
     std::visit(
-        [&](auto const& shape) {
+        [&]<class Shape>(Shape const& shape) {
             for (std::uint32_t i = 0; i < particles.size(); ++i) {
                 Place const& p = particles.place[i];
                 Vector3 const position{p.x, p.y, p.z};
-                double const distance = p.radius + reach;
-                if (norm_squared(position - nearest(shape, position)) < distance * distance)
-                    near.push_back(i);
+                if constexpr (std::is_same_v<Shape, Mesh>) {
+                    auto const start = static_cast<std::uint32_t>(found.near_triangles.size());
+                    append_near_triangles(found.near_triangles, *shape.mesh,
+                                          shape.placement.inverse(position), p.radius, reach);
+                    if (found.near_triangles.size() > start) {
+                        found.particles.push_back(i);
+                        found.triangle_start.push_back(start);
+                    }
+                } else {
+                    double const distance = p.radius + reach;
+                    if (norm_squared(position - nearest(shape, position)) < distance * distance)
+                        found.particles.push_back(i);
+                }
             }
         },
         wall.shape);
-    return near;
+    found.triangle_start.push_back(static_cast<std::uint32_t>(found.near_triangles.size()));
+    return found;
 }
 
 std::pair<std::size_t, std::size_t> test_wall_contacts(ContactList& list, Particles const& particles,
                                                        std::vector<Wall> const& walls,
-                                                       contact::Range const& range, std::uint32_t* now,
-                                                       std::uint32_t* parted)
+                                                       contact::Range const& range, double travelled,
+                                                       std::uint32_t* now, std::uint32_t* parted)
 {
     std::size_t const count = list.size();
-    for (std::size_t from = 0, to = 0; from < count; from = to) {
-        while (to < count && list.second[to] == list.second[from])
-            ++to;
-        std::visit([&](auto const& shape) { test_slots(shape, list, particles.place.data(), from, to); },
-                   walls[list.second[from]].shape);
+    std::size_t patch = 0;
+    Place const* places = particles.place.data();
+    for (Slots slots{0, 0}; slots.from < count; slots.from = slots.to) {
+        while (slots.to < count && list.second[slots.to] == list.second[slots.from])
+            ++slots.to;
+        std::visit(
+            [&]<class Shape>(Shape const& shape) {
+                if constexpr (std::is_same_v<Shape, Mesh>)
+                    test_patches(shape, list, places, slots, range, travelled, patch);
+                else
+                    test_slots(shape, list, places, slots.from, slots.to);
+            },
+            walls[list.second[slots.from]].shape);
     }
     std::size_t n = 0, m = 0;
     for (std::size_t s = 0; s < count; ++s) {

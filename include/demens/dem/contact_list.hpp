@@ -7,6 +7,23 @@
 
 namespace demens::dem {
 
+//! A triangle that a particle may touch before the next rebuild.
+struct NearTriangle
+{
+    std::uint32_t triangle;
+    float clearance; //!< at most its distance less the particle's radius, at the rebuild [m]
+};
+
+//! A particle near a mesh. It may touch several triangles, but the contacts are its own: they go on as it
+//! moves from triangle to triangle.
+struct MeshPatch
+{
+    static constexpr std::uint32_t most_contacts = 6;
+
+    std::uint32_t first_slot, slots;         //!< its places in the contact list
+    std::uint32_t first_triangle, triangles; //!< its places among the near triangles, nearest first
+};
+
 //! Pairs of one kind (same materials, hence same laws) that may touch before the next rebuild, with their
 //! history.
 struct ContactList
@@ -21,6 +38,9 @@ struct ContactList
     std::vector<double> state{};          //!< size() x state_size; zero where not touching
     std::vector<Vector3> offset{};        //!< walls: from the nearest point of the wall to the centre [m]
 
+    std::vector<MeshPatch> patches{};           //!< walls that are meshes, in the order of their slots
+    std::vector<NearTriangle> near_triangles{}; //!< of all patches
+
     std::size_t size() const { return first.size(); }
     void clear()
     {
@@ -29,6 +49,8 @@ struct ContactList
         touching.clear();
         state.clear();
         offset.clear();
+        patches.clear();
+        near_triangles.clear();
     }
     //! Adds a pair without history.
     void add(std::uint32_t i, std::uint32_t j)

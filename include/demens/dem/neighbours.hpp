@@ -5,6 +5,7 @@
 #include "demens/dem/periods.hpp"
 #include "demens/dem/wall.hpp"
 
+#include <span>
 #include <vector>
 
 namespace demens::dem {
@@ -67,6 +68,11 @@ class NeighbourSearch
                             std::vector<ContactList>& lists);
     //! Adds a pair, with the history it had if it was touching.
     void add_pair(ContactList& list, std::uint32_t i, std::uint32_t j);
+    //! Adds a particle near a mesh, with the histories of its contacts.
+    void add_patch(ContactList& list, std::uint32_t i, std::uint32_t wall,
+                   std::span<NearTriangle const> triangles);
+    //! Gives the slots from `slot` on, which are of one pair, the histories that it had.
+    void restore_histories(ContactList& list, std::size_t slot);
 
     std::size_t materials_;
     std::vector<std::uint32_t> interaction_;

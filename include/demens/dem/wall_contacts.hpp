@@ -10,15 +10,21 @@
 
 namespace demens::dem {
 
-//! Particles that are nearer to the wall than their radius plus `reach` [m], in ascending order.
-std::vector<std::uint32_t> particles_near(Wall const& wall, Particles const& particles, double reach);
+//! Particles that are nearer to a wall than their radius plus a reach, in ascending order.
+struct WallNeighbours
+{
+    std::vector<std::uint32_t> particles;
+    std::vector<NearTriangle> near_triangles;  //!< meshes: of all these particles
+    std::vector<std::uint32_t> triangle_start; //!< meshes: first triangle of each, and the end
+};
+WallNeighbours find_neighbours(Wall const& wall, Particles const& particles, double reach);
 
 //! Finds where the particles of a list of wall contacts touch, and stores the offsets. Compacts the slots
 //! that touch or are within the laws' range, and those that touched before and no longer do, as the test of
-//! pairs does. Returns both counts.
+//! pairs does. Returns both counts. `travelled` bounds how far any body moved since the rebuild [m].
 std::pair<std::size_t, std::size_t> test_wall_contacts(ContactList& list, Particles const& particles,
                                                        std::vector<Wall> const& walls,
-                                                       contact::Range const& range, std::uint32_t* now,
-                                                       std::uint32_t* parted);
+                                                       contact::Range const& range, double travelled,
+                                                       std::uint32_t* now, std::uint32_t* parted);
 
 } // namespace demens::dem

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "demens/base/rotation.hpp"
+#include "demens/shape/triangle_mesh.hpp"
 
 #include <array>
+#include <memory>
 #include <variant>
 
 namespace demens::dem {
@@ -44,9 +46,17 @@ struct Cone
     double radius_end;   //!< at centre + half_length axis [m]
 };
 
-using WallShape = std::variant<Rectangle, Disc, Cylinder, Cone>;
+//! A surface of triangles, which several walls may share. It may touch a sphere in several places.
+struct Mesh
+{
+    std::shared_ptr<shape::TriangleMesh const> mesh;
+    Placement placement = {}; //!< of the mesh's own coordinates
+};
 
-//! The six sides of a container along the axes, to be touched from inside.
+using WallShape = std::variant<Rectangle, Disc, Cylinder, Cone, Mesh>;
+
+//! The six sides of a container along the axes, to be touched from inside; a box that is touched from outside
+//! is a mesh, `shape::box_triangles`.
 std::array<Rectangle, 6> box_sides(Vector3 const& lower, Vector3 const& upper);
 
 //! A straight line that makes a round shape when it turns about the axis: height along the axis from the

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "demens/dem/contact_list.hpp"
+#include "demens/shape/triangle_mesh.hpp"
+
+#include <span>
+
+namespace demens::dem {
+
+//! Appends the triangles that are nearer to a sphere's surface than `reach` [m], nearest first. The sphere is
+//! in the mesh's coordinates.
+void append_near_triangles(std::vector<NearTriangle>& near, shape::TriangleMesh const& mesh,
+                           Vector3 const& position, double radius, double reach);
+
+//! Finds where a sphere touches a mesh.
+//!
+//! Of all places within reach the deepest one counts. Another one counts if it is a minimum of the distance
+//! along the surface (no triangle that shares its edge or corner comes nearer) and only so far as it rises
+//! above the tangent planes of the deeper ones: what a plane there would have taken already is not felt
+//! twice. Flat and convex places are one contact, however fine the triangles; two sides of a corner are two;
+//! and what lies between, the facets of a hollow, goes from one to the other without a jump.
+class MeshContactFinder
+{
+  public:
+    //! A sphere in the mesh's coordinates [m].
+    struct Sphere
+    {
+        Vector3 position;
+        double radius;
+        double reach; //!< distance of the centre within which a triangle counts
+    };
+    //! From each contact's point to the centre [m], deepest first. Triangles with a clearance above
+    //! `possible` [m] are known to be out of reach.
+    std::span<Vector3 const> find(shape::TriangleMesh const& mesh, std::span<NearTriangle const> near,
+                                  double possible, Sphere const& sphere);
+
+  private:
+    struct Candidate
+    {
+        double distance;
+        Vector3 offset;
+        shape::Feature feature;
+        shape::Facet const* facet;
+    };
+    void collect(shape::TriangleMesh const& mesh, std::span<NearTriangle const> near, double possible,
+                 Sphere const& sphere);
+    //! Whether a triangle that shares its edge or corner comes nearer.
+    bool is_passed_over(std::size_t candidate) const;
+
+    std::vector<Candidate> candidates_; //!< nearest first
+    std::vector<Vector3> offsets_;
+    std::vector<std::size_t> accepted_;
+};
+
+//! Gives contacts their slots in a patch: a contact takes the history of the one whose normal was nearest to
+//! its own. Slots without a contact get an offset out of reach.
+void assign_slots(ContactList& list, MeshPatch const& patch, std::span<Vector3 const> contacts);
+
+} // namespace demens::dem
