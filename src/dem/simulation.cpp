@@ -14,7 +14,8 @@
 namespace demens::dem {
 
 Simulation::Simulation(contact::Model const& model, SimulationOptions const& options)
-    : options_(options), block_(std::make_unique<ContactBlock>())
+    : options_(options), block_(std::make_unique<ContactBlock>()),
+      meter_(options.energy_ledger ? std::make_unique<EnergyMeter>() : nullptr)
 {
     make_law_sets(model);
     search_ = std::make_unique<NeighbourSearch>(materials_.size(), interaction_, options.periodic);
@@ -41,7 +42,7 @@ void Simulation::make_law_sets(contact::Model const& model)
         auto const number = static_cast<std::uint32_t>(laws_.size());
         interaction_[a * materials_.size() + b] = number;
         laws_.emplace_back(materials_[a], materials_[b], pair);
-        auto const layout = state_layout(laws_.back(), false);
+        auto const layout = state_layout(laws_.back(), options_.energy_ledger);
         layouts_.push_back(layout);
         lists.push_back({.interaction = number, .state_size = layout.size, .state_scalars = layout.scalars});
     };
@@ -78,6 +79,9 @@ std::uint32_t Simulation::add_particle(Vector3 const& position, double radius, s
     particles_.load.push_back({});
     particles_.material.push_back(material);
     particles_.id.push_back(id);
+    if (meter_ && !first_step_)
+        meter_->bring_in(mass * (0.5 * norm_squared(velocity) - dot(options_.gravity, position)) +
+                         0.2 * mass * radius * radius * norm_squared(spin));
     list_is_stale_ = true;
     return id;
 }
@@ -110,6 +114,8 @@ void Simulation::step()
     if (first_step_) {
         rebuild_if_needed();
         compute_loads();
+        if (meter_)
+            meter_->start(wall_loads_, present_energy().gap());
     }
     move();
     rebuild_if_needed();
@@ -181,6 +187,19 @@ void Simulation::rebuild_if_needed()
 {
     if (!list_is_stale_ && travelled_ <= 0.5 * options_.skin)
         return;
+    if (!meter_) {
+        search_neighbours();
+        return;
+    }
+    // Places that jump by a period and contacts with walls that are no longer there change the energy.
+    double const potential = potential_energy(), stored = stored_energy().total();
+    search_neighbours();
+    meter_->bring_in(potential_energy() - potential);
+    meter_->take_away(stored - stored_energy().total());
+}
+
+void Simulation::search_neighbours()
+{
     if (options_.periodic.any())
         for (Place& p : particles_.place) {
             p.x = options_.periodic.x.wrapped(p.x);
@@ -220,6 +239,8 @@ void Simulation::compute_loads()
     std::fill(wall_loads_.begin(), wall_loads_.end(), WallLoad{});
     for (ContactList& list : lists_)
         compute_contacts(list);
+    if (meter_)
+        meter_->add_work(walls_, wall_loads_, options_.time_step);
 }
 
 void Simulation::compute_contacts(ContactList& list)
@@ -240,24 +261,32 @@ void Simulation::compute_contacts(ContactList& list)
         std::tie(now, parted) =
             test_wall_contacts(list, particles_, walls_, range, travelled_, touching_.data(), parted_.data());
     }
+    if (meter_)
+        evaluate_contacts(list, parted_.data(), parted); // no forces, but what they have lost in parting
     auto const state_size = static_cast<std::size_t>(list.state_size);
     for (std::size_t k = 0; k < parted; ++k)
         std::fill_n(list.state.data() + parted_[k] * state_size, state_size, 0.0);
+    evaluate_contacts(list, touching_.data(), now);
+}
 
+void Simulation::evaluate_contacts(ContactList& list, std::uint32_t const* slots, std::size_t count)
+{
     ContactBlock& block = *block_;
     constexpr std::size_t lanes = ContactBlock::lanes;
     contact::LawSet const& laws = laws_[list.interaction];
-    for (std::size_t from = 0; from < now; from += lanes) {
-        block.count = static_cast<int>(std::min(lanes, now - from));
-        std::copy_n(touching_.data() + from, block.count, block.slot);
-        prefetch_contacts(list, touching_.data() + from + lanes,
-                          touching_.data() + std::min(now, from + 2 * lanes), particles_);
+    for (std::size_t from = 0; from < count; from += lanes) {
+        block.count = static_cast<int>(std::min(lanes, count - from));
+        std::copy_n(slots + from, block.count, block.slot);
+        prefetch_contacts(list, slots + std::min(count, from + lanes),
+                          slots + std::min(count, from + 2 * lanes), particles_);
         if (list.with_wall)
             gather_wall_contacts(block, list, particles_, walls_);
         else
             gather_pairs(block, list, particles_, options_.periodic);
         largest_overlap_ = std::max(largest_overlap_, derive_geometry(block, list.with_wall));
         evaluate_laws(block, laws, layouts_[list.interaction], options_.time_step);
+        if (meter_)
+            meter_->add_losses(block);
         if (list.with_wall)
             scatter_wall_contacts(block, list, particles_, walls_, wall_loads_);
         else
@@ -315,6 +344,56 @@ double Simulation::kinetic_energy() const
         energy += 0.5 * particles_.motion[k].mass * norm_squared(velocity(k)) +
                   0.5 * particles_.motion[k].inertia * norm_squared(spin(k));
     return energy;
+}
+
+double Simulation::potential_energy() const
+{
+    double energy = 0;
+    for (std::size_t k = 0; k < particles_.size(); ++k) {
+        Place const& p = particles_.place[k];
+        energy -= particles_.motion[k].mass * dot(options_.gravity, Vector3{p.x, p.y, p.z});
+    }
+    return energy;
+}
+
+StoredEnergy Simulation::stored_energy() const
+{
+    StoredEnergy sum;
+    for (ContactList const& list : lists_)
+        for (std::size_t s = 0; s < list.size(); ++s)
+            if (list.touching[s])
+                sum += dem::stored_energy(laws_[list.interaction], layouts_[list.interaction],
+                                          list.state.data() + s * static_cast<std::size_t>(list.state_size));
+    return sum;
+}
+
+EnergyLedger Simulation::present_energy() const
+{
+    EnergyLedger ledger;
+    double const half = 0.5 * options_.time_step;
+    for (std::size_t k = 0; k < particles_.size(); ++k) {
+        // The velocities before and after the kick at this place are v - half a and v + half a.
+        Motion const& m = particles_.motion[k];
+        Load const& l = particles_.load[k];
+        Vector3 const change = half * (Vector3{l.fx, l.fy, l.fz} / m.mass + options_.gravity);
+        Vector3 const turn = half / m.inertia * Vector3{l.tx, l.ty, l.tz};
+        ledger.kinetic_translation += 0.5 * m.mass * (norm_squared(velocity(k)) - norm_squared(change));
+        ledger.kinetic_rotation += 0.5 * m.inertia * (norm_squared(spin(k)) - norm_squared(turn));
+    }
+    ledger.potential = potential_energy();
+    StoredEnergy const stored = stored_energy();
+    ledger.elastic_normal = stored.normal;
+    ledger.elastic_tangential = stored.tangential;
+    ledger.elastic_rolling = stored.rolling;
+    ledger.cohesive = stored.cohesive;
+    return ledger;
+}
+
+EnergyLedger Simulation::energy()
+{
+    EnergyLedger ledger = present_energy();
+    meter_->complete(ledger);
+    return ledger;
 }
 
 namespace {

@@ -25,6 +25,14 @@ void evaluate_laws(ContactBlock& block, contact::LawSet const& laws, StateLayout
 struct StoredEnergy
 {
     double normal = 0, tangential = 0, rolling = 0, cohesive = 0;
+
+    double total() const { return normal + tangential + rolling + cohesive; }
+    StoredEnergy& operator+=(StoredEnergy const& other)
+    {
+        normal += other.normal, tangential += other.tangential;
+        rolling += other.rolling, cohesive += other.cohesive;
+        return *this;
+    }
 };
 //! What the history of one contact says; its layout must have room for the ledger.
 StoredEnergy stored_energy(contact::LawSet const& laws, StateLayout const& layout, double const* state);

@@ -4,6 +4,7 @@
 #include "demens/contact/model.hpp"
 #include "demens/dem/contact_block.hpp"
 #include "demens/dem/contact_list.hpp"
+#include "demens/dem/energy_meter.hpp"
 #include "demens/dem/law_stages.hpp"
 #include "demens/dem/neighbours.hpp"
 #include "demens/dem/particles.hpp"
@@ -26,7 +27,8 @@ struct SimulationOptions
     double overlap_limit = 0.5;      //!< largest overlap over the smaller radius that counts as healthy
     Vector3 domain_lower = {-1e9, -1e9, -1e9}; //!< particles outside have escaped [m]
     Vector3 domain_upper = {1e9, 1e9, 1e9};
-    Periods periodic = {}; //!< particles that leave a period come back on its other side
+    Periods periodic = {};      //!< particles that leave a period come back on its other side
+    bool energy_ledger = false; //!< account for all energy; the motion is the same, bit for bit
 };
 
 enum class Health
@@ -79,6 +81,8 @@ class Simulation
     Vector3 spin(std::size_t k) const;
     double largest_speed() const;  //!< [m/s]
     double kinetic_energy() const; //!< translation and rotation [J]
+    //! All energy as of now; the simulation must have been made with the ledger.
+    EnergyLedger energy();
     //! Pairs with a force, or within reach of one, and the same with walls, of the last step.
     std::size_t particle_contacts() const;
     std::size_t wall_contacts() const;
@@ -91,7 +95,12 @@ class Simulation
     void rebuild_if_needed();
     void compute_loads();
     void compute_contacts(ContactList& list);
+    void evaluate_contacts(ContactList& list, std::uint32_t const* slots, std::size_t count);
     void update_ranges();
+    void search_neighbours();
+    EnergyLedger present_energy() const;
+    double potential_energy() const;
+    StoredEnergy stored_energy() const;
 
     SimulationOptions options_;
     std::vector<contact::Material> materials_;
@@ -107,7 +116,8 @@ class Simulation
     std::vector<std::uint32_t> touching_, parted_;   //!< slots found by the pair test
     std::unique_ptr<NeighbourSearch> search_;
     std::unique_ptr<ContactBlock> block_;
-    double travelled_ = 0; //!< bound on how far any body moved since the rebuild [m]
+    std::unique_ptr<EnergyMeter> meter_; //!< null without the ledger
+    double travelled_ = 0;               //!< bound on how far any body moved since the rebuild [m]
     bool list_is_stale_ = true;
     bool first_step_ = true;
     bool left_domain_ = false;
