@@ -87,7 +87,7 @@ TEST(Energy, ElasticImpactGivesBackWhatItTook)
     }
     EXPECT_NEAR(most_elastic, kinetic, 0.01 * kinetic); // all of 1 m/s, none of the 0.3 along the plane
     EXPECT_NEAR(simulation.energy().closure_error(), 0, 1e-3);
-    EXPECT_NEAR(simulation.energy().kinetic(), kinetic * 1.09, 1e-3 * kinetic);
+    EXPECT_NEAR(simulation.energy().kinetic(), kinetic * 1.09, 2e-3 * kinetic);
 }
 
 TEST(Energy, LossesAreThoseOfTheRebound)
