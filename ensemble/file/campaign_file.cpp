@@ -52,9 +52,9 @@ void write_factors(hid_t file, std::vector<Factor> const& factors)
 void write_files(hid_t file, rig::Files const& files)
 {
     for (auto const& [name, content] : files) {
-        auto const path = fmt::format("/input/files/{:04}", hdf5::exists(file, "/input/files")
-                                                                ? hdf5::children(file, "/input/files").size()
-                                                                : 0);
+        auto const path =
+            fmt::format("/input/files/{:04}",
+                        hdf5::exists(file, "/input/files") ? hdf5::children(file, "/input/files").size() : 0);
         hdf5::write<std::uint8_t>(file, path, {content->size()}, {content->begin(), content->end()},
                                   {{"1"}, {}, "bytes of a file that the input names"});
         hdf5::set_attribute(file, path, "name", name);

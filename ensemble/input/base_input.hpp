@@ -43,7 +43,8 @@ struct ScalarPlace
         experiment
     } table;
     std::size_t index; //!< of the material, pair or experiment
-    std::vector<std::pair<std::string, std::size_t>> inside = {}; //!< tables in the experiment: key and number
+    std::vector<std::pair<std::string, std::size_t>> inside =
+        {}; //!< tables in the experiment: key and number
     std::string key = {};
     int component = -1; //!< of a vector: 0, 1, 2
 
@@ -59,7 +60,7 @@ struct BaseInput
     std::vector<OptionValues> experiments;               //!< options of the rig, one entry an experiment
     std::vector<std::vector<ScalarPlace>> factor_places; //!< one entry a factor
 
-    rig::Files files;                                    //!< that the experiments name
+    rig::Files files; //!< that the experiments name
 
     void set(ScalarPlace const& place, double value);
     std::vector<std::string> material_names() const;

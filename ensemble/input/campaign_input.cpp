@@ -81,6 +81,16 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     return campaign;
 }
 
+std::vector<std::string> CampaignInput::warnings() const
+{
+    std::vector<std::string> all;
+    for (std::size_t e = 0; e < experiments.size(); ++e)
+        if (auto const& warnings = experiments[e].rig->warnings)
+            for (auto const& warning : warnings(input::make_run_input(*tree_, {}, static_cast<int>(e), seed)))
+                all.push_back(fmt::format("experiment.{}: {}", experiments[e].name, warning));
+    return all;
+}
+
 rig::Files const& CampaignInput::files() const
 {
     static rig::Files const none;

@@ -120,6 +120,8 @@ class CampaignInput
     std::string const& text() const { return text_; }
     //! The same as TOML with every default written out; reading it gives this campaign again.
     std::string const& resolved_text() const { return resolved_text_; }
+    //! What is doubtful about it, though it can run: for whoever makes a campaign of it.
+    std::vector<std::string> warnings() const;
     //! Contents of the files that it names.
     rig::Files const& files() const;
 

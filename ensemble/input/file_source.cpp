@@ -14,8 +14,8 @@ FileSource files_beside(std::filesystem::path const& file)
         auto const path = folder / name;
         std::ifstream stream(path, std::ios::binary);
         if (!stream || std::filesystem::is_directory(path))
-            throw InputError(fmt::format("{} cannot be read; give a file, relative to the folder of the TOML file",
-                                         path.string()));
+            throw InputError(fmt::format(
+                "{} cannot be read; give a file, relative to the folder of the TOML file", path.string()));
         return std::string{std::istreambuf_iterator<char>(stream), {}};
     };
 }

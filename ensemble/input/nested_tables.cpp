@@ -53,7 +53,6 @@ void refuse_keys_of_other_kinds(InputTable const& table, TableSpec const& spec, 
 
 OptionValues read_entry(InputTable& table, TableSpec const& spec, std::string const& above)
 {
-    auto const kind = kind_of(table, spec);
     bool const named = std::any_of(spec.options.begin(), spec.options.end(),
                                    [](auto const& option) { return option.key == "name"; });
     if (named && table.has("name")) {
@@ -61,6 +60,7 @@ OptionValues read_entry(InputTable& table, TableSpec const& spec, std::string co
         check_name(table, "name", name);
         table.set_path(above + "." + spec.key + "." + name);
     }
+    auto const kind = kind_of(table, spec);
     refuse_keys_of_other_kinds(table, spec, kind);
     auto values = table.read(options_of(spec, kind), keys_of_tables(spec.tables));
     read_tables(table, spec.tables, values);
@@ -68,8 +68,7 @@ OptionValues read_entry(InputTable& table, TableSpec const& spec, std::string co
 }
 
 //! Goes with `visit(table, specs, values)` through an experiment's table and all tables inside it.
-using Visit =
-    std::function<void(InputTable const&, std::vector<OptionSpec> const&, OptionValues const&)>;
+using Visit = std::function<void(InputTable const&, std::vector<OptionSpec> const&, OptionValues const&)>;
 void for_each_table(InputTable const& table, std::vector<OptionSpec> const& options,
                     std::vector<TableSpec> const& specs, OptionValues const& values, Visit const& visit)
 {
@@ -105,9 +104,9 @@ void read_tables(InputTable const& table, std::vector<TableSpec> const& specs, O
             auto read = read_entry(entry, spec, table.path());
             for (auto const& other : values.tables(spec.key))
                 if (read.has("name") && other.text("name") == read.text("name"))
-                    throw entry.error(
-                        "name", fmt::format("two tables [[{}.{}]] have this name; give each its own",
-                                            "experiment", spec.key));
+                    throw entry.error("name",
+                                      fmt::format("two tables [[{}.{}]] have this name; give each its own",
+                                                  "experiment", spec.key));
             values.add_table(spec.key, std::move(read));
         }
 }
@@ -125,40 +124,45 @@ void check_references(InputTable const& table, rig::RigInfo const& rig, OptionVa
             names.push_back(entry.text("name"));
         return names;
     };
-    for_each_table(table, rig.options, rig.tables, values, [&](auto const& at, auto const& specs, auto const& own) {
-        for (auto const& spec : specs) {
-            if (spec.names_entry_of.empty())
-                continue;
-            auto const known = known_entries(spec.names_entry_of);
-            bool const global = spec.names_entry_of == "material" || spec.names_entry_of == "size_distribution";
-            for (auto const& word : words_of(own.all().at(spec.key)))
-                if (!word.empty() && std::find(known.begin(), known.end(), word) == known.end())
-                    throw at.error(spec.key,
-                                   global ? fmt::format("there is no [{}.{}]; {}", spec.names_entry_of, word,
-                                                        suggestion(word, known))
-                                          : fmt::format("there is no [[experiment.{}]] with name = \"{}\"; {}",
-                                                        spec.names_entry_of, word, suggestion(word, known)));
-        }
-    });
+    for_each_table(
+        table, rig.options, rig.tables, values, [&](auto const& at, auto const& specs, auto const& own) {
+            for (auto const& spec : specs) {
+                if (spec.names_entry_of.empty())
+                    continue;
+                auto const known = known_entries(spec.names_entry_of);
+                bool const global =
+                    spec.names_entry_of == "material" || spec.names_entry_of == "size_distribution";
+                for (auto const& word : words_of(own.all().at(spec.key)))
+                    if (!word.empty() && std::find(known.begin(), known.end(), word) == known.end())
+                        throw at.error(
+                            spec.key,
+                            global ? fmt::format("there is no [{}.{}]; {}", spec.names_entry_of, word,
+                                                 suggestion(word, known))
+                                   : fmt::format("there is no [[experiment.{}]] with name = \"{}\"; {}",
+                                                 spec.names_entry_of, word, suggestion(word, known)));
+            }
+        });
 }
 
 void read_files(InputTable const& table, rig::RigInfo const& rig, OptionValues const& values,
                 FileSource const& source, rig::Files& files)
 {
-    for_each_table(table, rig.options, rig.tables, values, [&](auto const& at, auto const& specs, auto const& own) {
-        for (auto const& spec : specs) {
-            if (!spec.names_file || own.text(spec.key).empty() || files.count(own.text(spec.key)))
-                continue;
-            try {
-                auto content = source(own.text(spec.key));
-                if (content.empty())
-                    throw InputError("the file is empty");
-                files.emplace(own.text(spec.key), std::make_shared<std::string const>(std::move(content)));
-            } catch (InputError const& error) {
-                throw at.error(spec.key, error.what());
+    for_each_table(
+        table, rig.options, rig.tables, values, [&](auto const& at, auto const& specs, auto const& own) {
+            for (auto const& spec : specs) {
+                if (!spec.names_file || own.text(spec.key).empty() || files.count(own.text(spec.key)))
+                    continue;
+                try {
+                    auto content = source(own.text(spec.key));
+                    if (content.empty())
+                        throw InputError("the file is empty");
+                    files.emplace(own.text(spec.key),
+                                  std::make_shared<std::string const>(std::move(content)));
+                } catch (InputError const& error) {
+                    throw at.error(spec.key, error.what());
+                }
             }
-        }
-    });
+        });
 }
 
 } // namespace demens::ensemble::input

@@ -77,8 +77,8 @@ class ExperimentNumbers
 };
 
 //! Visits every number of an experiment by its path inside the experiment.
-void for_each_number(BaseInput const& base, std::vector<Experiment> const& experiments, std::size_t experiment,
-                     ExperimentNumbers::Visit visit)
+void for_each_number(BaseInput const& base, std::vector<Experiment> const& experiments,
+                     std::size_t experiment, ExperimentNumbers::Visit visit)
 {
     auto const& rig = *experiments[experiment].rig;
     ExperimentNumbers numbers(experiment, std::move(visit));
@@ -120,12 +120,14 @@ ResolvedPath resolve_path(std::string const& path, BaseInput const& base,
         }
     } else if (parts[0] == "experiment") {
         for (std::size_t i = 0; i < experiments.size(); ++i)
-            for_each_number(base, experiments, i, [&](auto const& inside, auto const& place, auto const& spec) {
-                if (path != "experiment." + experiments[i].name + "." + inside && path != "experiment." + inside)
-                    return;
-                resolved.places.push_back(place);
-                resolved.spec = spec;
-            });
+            for_each_number(base, experiments, i,
+                            [&](auto const& inside, auto const& place, auto const& spec) {
+                                if (path != "experiment." + experiments[i].name + "." + inside &&
+                                    path != "experiment." + inside)
+                                    return;
+                                resolved.places.push_back(place);
+                                resolved.spec = spec;
+                            });
     }
     return resolved;
 }

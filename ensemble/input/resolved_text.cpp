@@ -27,7 +27,10 @@ std::string text_of(OptionValue const& value)
         std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
         std::string operator()(bool v) const { return v ? "true" : "false"; }
         std::string operator()(std::string const& v) const { return quoted(v); }
-        std::string operator()(Vector3 const& v) const { return list(std::vector{v.x, v.y, v.z}, number_text); }
+        std::string operator()(Vector3 const& v) const
+        {
+            return list(std::vector{v.x, v.y, v.z}, number_text);
+        }
         std::string operator()(std::vector<std::string> const& v) const { return list(v, quoted); }
     } const text;
     return std::visit(text, value);

@@ -85,6 +85,8 @@ CampaignInput read_checked(fs::path const& toml)
                         toml.string(), design.points.rows(), runs, input.stop.runs));
     fmt::print("{}: {} factors, {} experiments; the design has {} points, {} runs\n", input.name,
                input.factors.size(), input.experiments.size(), design.points.rows(), runs);
+    for (auto const& warning : input.warnings())
+        fmt::print("  warning: {}\n", warning);
     for (auto const& note : design.notes)
         fmt::print("  {}\n", note);
     return input;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace demens::observe {
@@ -27,6 +28,34 @@ SurfaceProfile surface_profile(dem::Particles const& particles, double from_x, d
         }
     }
     return profile;
+}
+
+double mean_surface_height(dem::Particles const& particles, double width)
+{
+    std::map<std::pair<long, long>, double> tops;
+    for (dem::Place const& p : particles.place) {
+        auto const first = [&](double x) {
+            return static_cast<long>(std::ceil((x - p.radius) / width - 0.5));
+        };
+        auto const last = [&](double x) {
+            return static_cast<long>(std::floor((x + p.radius) / width - 0.5));
+        };
+        for (long i = first(p.x); i <= last(p.x); ++i)
+            for (long j = first(p.y); j <= last(p.y); ++j) {
+                double const dx = (i + 0.5) * width - p.x, dy = (j + 0.5) * width - p.y;
+                double const rest = p.radius * p.radius - dx * dx - dy * dy;
+                if (rest < 0)
+                    continue;
+                double const top = p.z + std::sqrt(rest);
+                auto const [column, is_new] = tops.try_emplace({i, j}, top);
+                if (!is_new)
+                    column->second = std::max(column->second, top);
+            }
+    }
+    double sum = 0;
+    for (auto const& [column, top] : tops)
+        sum += top;
+    return sum / static_cast<double>(tops.size());
 }
 
 double Line::angle_deg() const

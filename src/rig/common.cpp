@@ -75,8 +75,12 @@ TimeStepLimit time_step_limit(contact::Model const& model, std::string const& ma
 double chosen_time_step(OptionValues const& options, contact::Model const& model, std::string const& material,
                         double smallest_diameter)
 {
-    auto const limit =
-        time_step_limit(model, material, smallest_diameter, options.number("rayleigh_fraction"));
+    return chosen_time_step(
+        options, time_step_limit(model, material, smallest_diameter, options.number("rayleigh_fraction")));
+}
+
+double chosen_time_step(OptionValues const& options, TimeStepLimit const& limit)
+{
     double const asked = options.number("time_step_s");
     if (asked > limit.time_step * (1 + 1e-9))
         throw InputError(

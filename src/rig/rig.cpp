@@ -1,5 +1,6 @@
 #include "demens/rig/rig.hpp"
 
+#include "demens/rig/custom.hpp"
 #include "demens/rig/drawdown.hpp"
 #include "demens/rig/impact.hpp"
 
@@ -42,7 +43,7 @@ std::vector<ResponseInfo> responses_of(RigInfo const& rig, OptionValues const& e
 
 std::vector<RigInfo> const& all_rigs()
 {
-    static std::vector<RigInfo> const rigs = {drawdown_rig(), impact_rig()};
+    static std::vector<RigInfo> const rigs = {custom_rig(), drawdown_rig(), impact_rig()};
     return rigs;
 }
 

@@ -1,6 +1,7 @@
 #include "demens/shape/packing.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/shape/placed_spheres.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,48 +13,28 @@
 namespace demens::shape {
 namespace {
 
-//! Spheres placed so far, filed by the cell of their centre; a cell is as wide as the largest sphere.
-class PlacedSpheres
+//! The order in which spheres are placed: small ones find the gaps.
+std::vector<std::size_t> largest_first(std::vector<double> const& diameters)
 {
-  public:
-    PlacedSpheres(Vector3 const& lower, Vector3 const& extent, double cell)
-        : lower_(lower), inverse_cell_(1 / cell), nx_(count(extent.x)), ny_(count(extent.y)),
-          nz_(count(extent.z)), cells_(static_cast<std::size_t>(nx_) * ny_ * nz_)
-    {
-    }
+    std::vector<std::size_t> order(diameters.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return diameters[a] > diameters[b]; });
+    return order;
+}
 
-    bool overlaps(Vector3 const& p, double radius) const
-    {
-        int const x = index(p.x - lower_.x, nx_), y = index(p.y - lower_.y, ny_),
-                  z = index(p.z - lower_.z, nz_);
-        for (int cz = std::max(z - 1, 0); cz <= std::min(z + 1, nz_ - 1); ++cz)
-            for (int cy = std::max(y - 1, 0); cy <= std::min(y + 1, ny_ - 1); ++cy)
-                for (int cx = std::max(x - 1, 0); cx <= std::min(x + 1, nx_ - 1); ++cx)
-                    for (auto const& [q, r] : cells_[at(cx, cy, cz)])
-                        if (norm_squared(p - q) < (radius + r) * (radius + r))
-                            return true;
-        return false;
-    }
+Vector3 random_point(BoxRegion const& box, RandomStream& random)
+{
+    return {random.uniform(box.lower.x, box.upper.x), random.uniform(box.lower.y, box.upper.y),
+            random.uniform(box.lower.z, box.upper.z)};
+}
 
-    void add(Vector3 const& p, double radius)
-    {
-        cells_[at(index(p.x - lower_.x, nx_), index(p.y - lower_.y, ny_), index(p.z - lower_.z, nz_))]
-            .push_back({p, radius});
-    }
-
-  private:
-    int count(double extent) const { return 1 + static_cast<int>(extent * inverse_cell_); }
-    int index(double offset, int n) const
-    {
-        return std::clamp(static_cast<int>(offset * inverse_cell_), 0, n - 1);
-    }
-    std::size_t at(int x, int y, int z) const { return (static_cast<std::size_t>(z) * ny_ + y) * nx_ + x; }
-
-    Vector3 lower_;
-    double inverse_cell_;
-    int nx_, ny_, nz_;
-    std::vector<std::vector<std::pair<Vector3, double>>> cells_;
-};
+//! Cells for spheres in a box: no narrower than the largest, and not many more than there are spheres.
+double cell_width(Vector3 const& extent, double largest, std::size_t spheres)
+{
+    return std::max(largest,
+                    std::cbrt(extent.x * extent.y * extent.z / (4.0 * static_cast<double>(spheres) + 64)));
+}
 
 } // namespace
 
@@ -75,11 +56,7 @@ std::vector<Vector3> loose_packing(std::vector<double> const& diameters, Vector3
     double const room_x = width_x - largest, room_y = width_y - largest;
     double height = largest + volume / (solid_fraction * (room_x + 0.5 * largest) * (room_y + 0.5 * largest));
 
-    // The largest first: small ones find the gaps.
-    std::vector<std::size_t> order(diameters.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return diameters[a] > diameters[b]; });
+    auto const order = largest_first(diameters);
     PlacedSpheres placed(lower, {width_x, width_y, 4 * height}, largest);
     std::vector<Vector3> places(diameters.size());
     for (std::size_t const k : order) {
@@ -96,6 +73,66 @@ std::vector<Vector3> loose_packing(std::vector<double> const& diameters, Vector3
         places[k] = p;
     }
     return places;
+}
+
+std::vector<Vector3> fill_region(std::vector<double> const& diameters, Region const& region,
+                                 std::vector<Sphere> const& obstacles, FreeTest const& is_free,
+                                 RandomStream& random)
+{
+    if (diameters.empty())
+        return {};
+    double const largest = *std::max_element(diameters.begin(), diameters.end());
+    auto const box = bounds(region);
+    Vector3 const extent = box.upper - box.lower;
+    PlacedSpheres placed(box.lower, extent, cell_width(extent, largest, diameters.size()));
+    std::vector<Sphere> large; // too large for the cells
+    for (auto const& [centre, radius] : obstacles) {
+        double const reach = radius + largest;
+        if (!contains(
+                BoxRegion{box.lower - Vector3{reach, reach, reach}, box.upper + Vector3{reach, reach, reach}},
+                centre))
+            continue;
+        if (2 * radius > largest)
+            large.push_back({centre, radius});
+        else
+            placed.add(centre, radius);
+    }
+    auto const fits = [&](Vector3 const& p, double r) {
+        for (auto const& [centre, radius] : large)
+            if (norm_squared(p - centre) < (r + radius) * (r + radius))
+                return false;
+        return contains(region, p, r) && !placed.overlaps(p, r) && is_free(p, r);
+    };
+    constexpr int most_tries = 20000;
+    std::vector<Vector3> places(diameters.size());
+    std::size_t done = 0;
+    for (std::size_t const k : largest_first(diameters)) {
+        double const r = 0.5 * diameters[k];
+        Vector3 p = random_point(box, random);
+        for (int tries = 0; !fits(p, r); p = random_point(box, random))
+            if (++tries == most_tries)
+                throw InputError(fmt::format("no room for the particles: only {} of {} were placed in the "
+                                             "region, of {:.4g} mm^3; a loose "
+                                             "packing fills at most about 0.3 of it",
+                                             done, diameters.size(), 1e9 * volume(region)));
+        placed.add(p, r);
+        places[k] = p;
+        ++done;
+    }
+    return places;
+}
+
+double free_volume(Region const& region, double radius, FreeTest const& is_free)
+{
+    constexpr int samples = 2000;
+    auto const box = bounds(region);
+    RandomStream random(1);
+    int free = 0;
+    for (int k = 0; k < samples; ++k) {
+        Vector3 const p = random_point(box, random);
+        free += contains(region, p) && is_free(p, radius);
+    }
+    return volume(box) * free / samples;
 }
 
 } // namespace demens::shape

@@ -150,14 +150,24 @@ TriangleSoup read_ascii(std::filesystem::path const& file, std::string const& co
 
 TriangleSoup read_stl(std::filesystem::path const& file)
 {
-    std::string const content = content_of(file);
+    return read_stl(file, content_of(file));
+}
+
+TriangleSoup read_stl(std::filesystem::path const& file, std::string const& content)
+{
     return is_ascii(content) ? read_ascii(file, content) : read_binary(file, content);
 }
 
 std::shared_ptr<TriangleMesh const> load_mesh(std::filesystem::path const& file,
                                               MeshPlacement const& placement)
 {
-    TriangleSoup soup = read_stl(file);
+    return load_mesh(file, content_of(file), placement);
+}
+
+std::shared_ptr<TriangleMesh const> load_mesh(std::filesystem::path const& file, std::string const& content,
+                                              MeshPlacement const& placement)
+{
+    TriangleSoup soup = read_stl(file, content);
     for (auto& triangle : soup)
         for (Vector3& corner : triangle)
             corner = placement.placement(placement.scale * corner);

@@ -19,6 +19,10 @@ struct SurfaceProfile
 SurfaceProfile surface_profile(dem::Particles const& particles, double from_x, double to_x, int points,
                                double empty, std::function<bool(dem::Place const&)> const& select);
 
+//! Mean height of the highest points of spheres over the middles of square columns [m], columns without any
+//! left out; NaN without particles. \param width of a column [m]
+double mean_surface_height(dem::Particles const& particles, double width);
+
 //! A straight line z = intercept + slope x.
 struct Line
 {

@@ -32,5 +32,6 @@ TimeStepLimit time_step_limit(contact::Model const& model, std::string const& ma
 //! above the limit.
 double chosen_time_step(OptionValues const& options, contact::Model const& model, std::string const& material,
                         double smallest_diameter);
+double chosen_time_step(OptionValues const& options, TimeStepLimit const& limit);
 
 } // namespace demens::rig

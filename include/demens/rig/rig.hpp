@@ -97,6 +97,8 @@ struct RigInfo
     std::function<std::vector<ResponseInfo>(OptionValues const&)> asked_responses = {};
     //! Everything that can be wrong with an input, checked before any run. \throws InputError
     std::function<void(RunInput const&)> check = {};
+    //! What is doubtful about an input that can run.
+    std::function<std::vector<std::string>(RunInput const&)> warnings = {};
     //! Predicted cost [particle steps].
     std::function<double(RunInput const&)> predict_cost = {};
     //! Simulates. Does not throw for a failed run. \throws RunInterrupted

@@ -11,6 +11,8 @@ namespace demens::shape {
 //! Reads the triangles of an STL file, ASCII or binary. \throws InputError that says what is wrong with the
 //! file.
 TriangleSoup read_stl(std::filesystem::path const& file);
+//! The same from the content of a file; its name is for messages.
+TriangleSoup read_stl(std::filesystem::path const& file, std::string const& content);
 
 //! How a file's triangles are put in place: scaled first, then turned and shifted.
 struct MeshPlacement
@@ -21,6 +23,9 @@ struct MeshPlacement
 
 //! A mesh from an STL file; `faults()` tells what is doubtful about it. \throws InputError
 std::shared_ptr<TriangleMesh const> load_mesh(std::filesystem::path const& file,
+                                              MeshPlacement const& placement = {});
+//! The same from the content of a file; its name is for messages.
+std::shared_ptr<TriangleMesh const> load_mesh(std::filesystem::path const& file, std::string const& content,
                                               MeshPlacement const& placement = {});
 
 //! Whether a mesh lies within a domain: empty if so, a warning where a part of it is outside. \throws

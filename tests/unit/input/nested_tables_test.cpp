@@ -1,4 +1,5 @@
-// Tables inside an experiment: what is read, how its numbers are addressed, and what is told about a wrong one.
+// Tables inside an experiment: what is read, how its numbers are addressed, and what is told about a wrong
+// one.
 #include "ensemble/input/campaign_input.hpp"
 
 #include "test_rigs.hpp"
@@ -33,13 +34,14 @@ std::vector<rig::RigInfo> const& nested_rigs()
                      .required = true,
                      .names_entry_of = "material"}},
         .kind_key = "shape",
-        .kinds = {{"plane", "a plane", {{.key = "normal", .default_value = Vector3{0, 0, 1}, .doc = "normal"}}},
-                  {"disc",
-                   "a disc",
-                   {{.key = "radius_mm", .default_value = 1.0, .doc = "radius [mm]", .required = true}}},
-                  {"mesh",
-                   "triangles",
-                   {{.key = "file", .default_value = word, .doc = "STL", .required = true, .names_file = true}}}},
+        .kinds =
+            {{"plane", "a plane", {{.key = "normal", .default_value = Vector3{0, 0, 1}, .doc = "normal"}}},
+             {"disc",
+              "a disc",
+              {{.key = "radius_mm", .default_value = 1.0, .doc = "radius [mm]", .required = true}}},
+             {"mesh",
+              "triangles",
+              {{.key = "file", .default_value = word, .doc = "STL", .required = true, .names_file = true}}}},
         .tables = {motion}};
     TableSpec const stage{.key = "stage",
                           .doc = "one after another",
@@ -158,9 +160,10 @@ TEST(NestedTables, EveryNumberIsAFactorByItsPath)
 
 TEST(NestedTables, FactorPathsAreSuggestedAndTheirBoundsChecked)
 {
-    EXPECT_EQ(message_with("wall.drum.motion.1.speed", "wall.drm.motion.1.speed"),
-              "test.toml:25: factor[1].path = \"experiment.bench.wall.drm.motion.1.speed\": names nothing in this "
-              "input; did you mean \"experiment.bench.wall.drum.motion.1.speed\"?");
+    EXPECT_EQ(
+        message_with("wall.drum.motion.1.speed", "wall.drm.motion.1.speed"),
+        "test.toml:25: factor[1].path = \"experiment.bench.wall.drm.motion.1.speed\": names nothing in this "
+        "input; did you mean \"experiment.bench.wall.drum.motion.1.speed\"?");
     EXPECT_THAT(message_with("upper = 2", "upper = 20"), HasSubstr("factor[1].upper = 20"));
     EXPECT_THAT(message_with("gravity.x", "gravity"), HasSubstr("names nothing in this input"));
 }
@@ -196,8 +199,9 @@ TEST(NestedTables, FilesAreReadOnceAndKept)
 
 TEST(NestedTables, UnknownKeysAndKinds)
 {
-    EXPECT_EQ(message_with("radius_mm = 30", "radius_m = 30"),
-              "test.toml:18: experiment.bench.wall.drum.radius_m = 30: unknown key; did you mean \"radius_mm\"?");
+    EXPECT_EQ(
+        message_with("radius_mm = 30", "radius_m = 30"),
+        "test.toml:18: experiment.bench.wall.drum.radius_m = 30: unknown key; did you mean \"radius_mm\"?");
     EXPECT_THAT(message_with("radius_mm = 30", "radius_mm = 30\nnormal = [1, 0, 0]"),
                 AllOf(StartsWith("test.toml:19: experiment.bench.wall.drum.normal"),
                       HasSubstr("is a key of shape = plane, not of shape = disc")));
@@ -205,10 +209,12 @@ TEST(NestedTables, UnknownKeysAndKinds)
                 AllOf(StartsWith("test.toml:16: "), HasSubstr("must be one of plane, disc, mesh")));
     EXPECT_THAT(message_with("shape = \"disc\"\n", ""),
                 HasSubstr("the key \"shape\" is missing; it is one of plane, disc, mesh"));
-    EXPECT_THAT(message_with("radius_mm = 30", ""), HasSubstr("experiment.bench.wall.drum: the key \"radius_mm\""));
+    EXPECT_THAT(message_with("radius_mm = 30", ""),
+                HasSubstr("experiment.bench.wall.drum: the key \"radius_mm\""));
     EXPECT_THAT(message_with("[[experiment.stage]]", "[[experiment.stages]]"),
                 HasSubstr("unknown key; did you mean \"stage\"?"));
-    EXPECT_THAT(message_with("[[experiment.stage]]", "[experiment.stage]"), HasSubstr("[[experiment.bench.stage]]"));
+    EXPECT_THAT(message_with("[[experiment.stage]]", "[experiment.stage]"),
+                HasSubstr("[[experiment.bench.stage]]"));
 }
 
 TEST(NestedTables, WrongValues)
@@ -217,15 +223,17 @@ TEST(NestedTables, WrongValues)
                 AllOf(StartsWith("test.toml:8: experiment.bench.gravity"),
                       HasSubstr("must be a vector [x, y, z] of three numbers")));
     EXPECT_THAT(message_with("[0.5, 0, -9.81]", "[0.5, 0, \"down\"]"), HasSubstr("list of finite numbers"));
-    EXPECT_THAT(message_with("speed = 1.5", "speed = 11"),
-                AllOf(StartsWith("test.toml:20: experiment.bench.wall.drum.motion[1].speed = 11: must be at most 10"),
-                      HasSubstr("(speed [m/s])")));
+    EXPECT_THAT(
+        message_with("speed = 1.5", "speed = 11"),
+        AllOf(StartsWith("test.toml:20: experiment.bench.wall.drum.motion[1].speed = 11: must be at most 10"),
+              HasSubstr("(speed [m/s])")));
 }
 
 TEST(NestedTables, NamesOfNothingAndNamesTwice)
 {
     EXPECT_EQ(message_with("on = [\"drum\"]", "on = [\"drums\"]"),
-              "test.toml:23: experiment.bench.stage.1.on = [ 'drums' ]: there is no [[experiment.wall]] with name = "
+              "test.toml:23: experiment.bench.stage.1.on = [ 'drums' ]: there is no [[experiment.wall]] with "
+              "name = "
               "\"drums\"; did you mean \"drum\"?");
     EXPECT_THAT(message_with("material = \"steel\"\nradius_mm", "material = \"steal\"\nradius_mm"),
                 AllOf(StartsWith("test.toml:17: experiment.bench.wall.drum.material = \"steal\""),
@@ -233,7 +241,8 @@ TEST(NestedTables, NamesOfNothingAndNamesTwice)
     EXPECT_THAT(message_with("name = \"drum\"", "name = \"floor\""),
                 AllOf(StartsWith("test.toml:15: experiment.bench.wall.floor.name"),
                       HasSubstr("two tables [[experiment.wall]] have this name")));
-    EXPECT_THAT(message_with("name = \"drum\"", "name = \"a.b\""), HasSubstr("a name must begin with a letter"));
+    EXPECT_THAT(message_with("name = \"drum\"", "name = \"a.b\""),
+                HasSubstr("a name must begin with a letter"));
 }
 
 } // namespace

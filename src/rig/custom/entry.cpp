@@ -1,0 +1,282 @@
+#include "src/rig/custom/entry.hpp"
+
+#include "demens/base/error.hpp"
+#include "demens/observe/surface.hpp"
+#include "demens/rig/common.hpp"
+#include "src/rig/custom/specs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace demens::rig::custom {
+namespace {
+
+std::string in_millimetres(Vector3 const& p)
+{
+    return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * p.x, 1e3 * p.y, 1e3 * p.z);
+}
+
+//! Extent of a body along the axis on which bodies are sorted.
+struct Interval
+{
+    double from, to;
+    Body const* body;
+};
+
+//! \throws InputError that names the two bodies that overlap most, when that is over the limit. Of bodies
+//! that are `old` only pairs with others count.
+void check_overlaps(std::vector<Body> const& bodies, std::size_t old, double limit)
+{
+    std::vector<Interval> intervals;
+    for (auto const& body : bodies)
+        intervals.push_back({body.place.x - body.radius, body.place.x + body.radius, &body});
+    std::sort(intervals.begin(), intervals.end(), [](auto const& a, auto const& b) {
+        return a.from != b.from ? a.from < b.from : a.body < b.body;
+    });
+    auto const is_old = [&](Body const* body) {
+        return static_cast<std::size_t>(body - bodies.data()) < old;
+    };
+    double worst = limit;
+    Body const *first = nullptr, *second = nullptr;
+    for (std::size_t i = 0; i < intervals.size(); ++i)
+        for (std::size_t j = i + 1; j < intervals.size() && intervals[j].from < intervals[i].to; ++j) {
+            auto const &a = *intervals[i].body, &b = *intervals[j].body;
+            if (is_old(&a) && is_old(&b))
+                continue;
+            double const overlap = a.radius + b.radius - norm(a.place - b.place);
+            if (double const relative = overlap / std::min(a.radius, b.radius); relative > worst) {
+                worst = relative;
+                first = std::min(&a, &b);
+                second = std::max(&a, &b);
+            }
+        }
+    if (first)
+        throw InputError(fmt::format(
+            "two particles overlap by {:.4g} mm, {:.3g} of the smaller radius, where initial_overlap = "
+            "{:.3g}: {} "
+            "({}) and {} ({})",
+            1e3 * (first->radius + second->radius - norm(first->place - second->place)), worst, limit,
+            first->origin, in_millimetres(first->place), second->origin, in_millimetres(second->place)));
+}
+
+template <class Shape>
+double distance_from(Shape const& shape, Vector3 const& place, double)
+{
+    return norm(place - nearest(shape, place));
+}
+double distance_from(dem::Mesh const& mesh, Vector3 const& place, double farthest)
+{
+    Vector3 const p = mesh.placement.inverse(place);
+    double distance = farthest;
+    mesh.mesh->tree().for_each_near(p, farthest, [&](std::uint32_t triangle) {
+        distance = std::min(distance, norm(mesh.mesh->facets()[triangle].nearest(p).offset));
+    });
+    return distance;
+}
+
+//! How far a sphere reaches through a surface [m]; 0 or less where it does not touch.
+double overlap_with(dem::Wall const& wall, Vector3 const& place, double radius)
+{
+    return radius -
+           std::visit([&](auto const& shape) { return distance_from(shape, place, radius); }, wall.shape);
+}
+
+//! Walls that are still where they were given when a stage begins.
+std::vector<WallPlan const*> walls_at_first_place(Setup const& setup, std::size_t stage)
+{
+    std::vector<WallPlan const*> walls;
+    for (auto const& wall : setup.walls) {
+        bool const has_moved = std::any_of(wall.motions.begin(), wall.motions.end(),
+                                           [&](auto const& motion) { return motion.from_stage < stage; });
+        if (setup.is_on(wall, stage) && !has_moved)
+            walls.push_back(&wall);
+    }
+    return walls;
+}
+
+void check_in_domain(Setup const& setup, Body const& body)
+{
+    if (!shape::contains(setup.domain, body.place))
+        throw InputError(fmt::format("{} at {} is outside the domain, from {} to {}; move it or give "
+                                     "domain_lower_mm and domain_upper_mm",
+                                     body.origin, in_millimetres(body.place),
+                                     in_millimetres(setup.domain.lower), in_millimetres(setup.domain.upper)));
+}
+
+void check_bodies(Setup const& setup, ParticleGroup const& group, std::vector<Body> const& bodies)
+{
+    auto const walls = walls_at_first_place(setup, group.stage);
+    for (auto const& body : bodies) {
+        check_in_domain(setup, body);
+        for (auto const* wall : walls)
+            for (auto const& part : wall->parts) {
+                double const overlap = overlap_with(part, body.place, body.radius);
+                if (overlap > setup.overlap_limit * body.radius)
+                    throw InputError(fmt::format(
+                        "{} at {}, radius {:.4g} mm, reaches {:.4g} mm into the wall {}", body.origin,
+                        in_millimetres(body.place), 1e3 * body.radius, 1e3 * overlap, wall->name));
+            }
+    }
+}
+
+void check_packing(Setup const& setup, ParticleGroup const& group, Packing const& packing)
+{
+    auto const box = shape::bounds(packing.region);
+    Vector3 const extent = box.upper - box.lower;
+    if (std::min({extent.x, extent.y, extent.z}) < packing.largest())
+        throw InputError(
+            fmt::format("particles.{}: no room for the particles: the largest sphere, {:.4g} mm, does not "
+                        "fit into its region",
+                        group.name, 1e3 * packing.largest()));
+    check_in_domain(setup,
+                    {.place = box.lower, .origin = fmt::format("the region of particles.{}", group.name)});
+    check_in_domain(setup,
+                    {.place = box.upper, .origin = fmt::format("the region of particles.{}", group.name)});
+    auto const walls = walls_at_first_place(setup, group.stage);
+    auto const clear_of_walls = [&](Vector3 const& p, double r) {
+        for (auto const* wall : walls)
+            for (auto const& part : wall->parts)
+                if (overlap_with(part, p, r) > 0)
+                    return false;
+        return true;
+    };
+    RandomStream sizes(1);
+    double solid = 0;
+    for (double const d : sample_diameters(packing, setup.density(group), sizes))
+        solid += std::numbers::pi / 6 * d * d * d;
+    double const room = shape::free_volume(packing.region, 0.25 * packing.smallest(), clear_of_walls);
+    constexpr double densest = 0.33;
+    if (solid > densest * room)
+        throw InputError(
+            fmt::format("particles.{}: no room for the particles: they have {:.4g} mm^3, their region "
+                        "{:.4g} mm^3, of which random places fill at most {:.2g}; make the region larger, "
+                        "e.g. higher, and let them settle",
+                        group.name, 1e9 * solid, 1e9 * room, densest));
+}
+
+void check_above_others(Setup const& setup, ParticleGroup const& group, AboveOthers const& above)
+{
+    Body body = above.body;
+    body.place.z = 0.5 * (setup.domain.lower.z + setup.domain.upper.z);
+    check_in_domain(setup, body);
+    for (auto const& other : setup.groups) {
+        if (&other == &group)
+            break;
+        if (other.stage <= group.stage)
+            return;
+    }
+    for (auto const& other : setup.groups)
+        if (other.stage < group.stage)
+            return;
+    throw InputError(
+        fmt::format("particles.{} enters at a clearance above the other particles, but there are none "
+                    "then; let it enter at a later stage",
+                    group.name));
+}
+
+std::vector<Body> existing(dem::Particles const& particles)
+{
+    std::vector<Body> bodies(particles.size());
+    for (std::size_t k = 0; k < particles.size(); ++k) {
+        dem::Place const& p = particles.place[k];
+        bodies[particles.id[k]] = {
+            .place = {p.x, p.y, p.z}, .radius = p.radius, .origin = "a particle there"};
+    }
+    return bodies;
+}
+
+std::vector<Body> fill(World const& world, Setup const& setup, std::size_t number, Packing const& packing)
+{
+    auto const stream = derive_seed(setup.seed, number + 1);
+    RandomStream sizes(derive_seed(stream, 1)), places(derive_seed(stream, 2));
+    auto const diameters = sample_diameters(packing, setup.density(setup.groups[number]), sizes);
+    std::vector<shape::Sphere> obstacles;
+    for (auto const& body : existing(world.simulation.particles()))
+        obstacles.push_back({body.place, body.radius});
+    auto const clear_of_walls = [&](Vector3 const& p, double r) {
+        auto const& walls = world.simulation.walls();
+        return std::none_of(walls.begin(), walls.end(), [&](dem::Wall const& wall) {
+            return wall.active && overlap_with(wall, p, r) > 0;
+        });
+    };
+    auto const found = shape::fill_region(diameters, packing.region, obstacles, clear_of_walls, places);
+    std::vector<Body> bodies;
+    for (std::size_t k = 0; k < found.size(); ++k)
+        bodies.push_back({.place = found[k], .radius = 0.5 * diameters[k], .velocity = packing.velocity});
+    return bodies;
+}
+
+//! Mean surface of the particles: columns half a mean radius wide [m].
+double level_of(dem::Particles const& particles)
+{
+    double radius = 0;
+    for (auto const& p : particles.place)
+        radius += p.radius / static_cast<double>(particles.size());
+    return observe::mean_surface_height(particles, 0.5 * radius);
+}
+
+//! The bodies of a group as they enter now.
+std::vector<Body> bodies_of(World& world, Setup const& setup, std::size_t number)
+{
+    auto const& source = setup.groups[number].source;
+    if (auto const* packing = std::get_if<Packing>(&source))
+        return fill(world, setup, number, *packing);
+    std::vector<Body> bodies;
+    if (auto const* above = std::get_if<AboveOthers>(&source)) {
+        bodies = {above->body};
+        world.levels[number] = level_of(world.simulation.particles());
+        bodies.front().place.z = world.levels[number] + above->clearance + above->body.radius;
+    } else {
+        bodies = std::get<std::vector<Body>>(source);
+    }
+    auto all = existing(world.simulation.particles());
+    auto const old = all.size();
+    all.insert(all.end(), bodies.begin(), bodies.end());
+    check_overlaps(all, old, setup.overlap_limit);
+    return bodies;
+}
+
+} // namespace
+
+void check_places(Setup const& setup)
+{
+    for (std::size_t stage = 0; stage < setup.stages.size(); ++stage) {
+        std::vector<Body> together;
+        for (auto const& group : setup.groups) {
+            if (group.stage != stage)
+                continue;
+            if (auto const* bodies = std::get_if<std::vector<Body>>(&group.source)) {
+                check_bodies(setup, group, *bodies);
+                together.insert(together.end(), bodies->begin(), bodies->end());
+            } else if (auto const* packing = std::get_if<Packing>(&group.source)) {
+                check_packing(setup, group, *packing);
+            } else {
+                check_above_others(setup, group, std::get<AboveOthers>(group.source));
+            }
+        }
+        check_overlaps(together, 0, setup.overlap_limit);
+    }
+}
+
+void enter(World& world, Setup const& setup, std::size_t stage)
+{
+    auto& simulation = world.simulation;
+    // A particle's velocity is kept half a time step behind its place, except before the first step.
+    Vector3 const behind =
+        simulation.steps_done() > 0 ? -0.5 * setup.time_step * simulation.options().gravity : Vector3{};
+    for (std::size_t g = 0; g < setup.groups.size(); ++g) {
+        if (setup.groups[g].stage != stage)
+            continue;
+        auto const material = material_index(setup.model, setup.groups[g].material);
+        auto& ids = world.groups[g];
+        ids.first = ids.end = static_cast<std::uint32_t>(simulation.particles().size());
+        for (auto const& body : bodies_of(world, setup, g))
+            ids.end = 1 + simulation.add_particle(body.place, body.radius, material, body.velocity + behind,
+                                                  body.spin);
+    }
+}
+
+} // namespace demens::rig::custom

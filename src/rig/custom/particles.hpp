@@ -1,0 +1,57 @@
+#pragma once
+
+#include "demens/rig/rig.hpp"
+#include "demens/shape/packing.hpp"
+#include "src/rig/custom/particle_csv.hpp"
+#include "src/rig/custom/regions.hpp"
+
+#include <optional>
+#include <variant>
+
+namespace demens::rig::custom {
+
+//! `[[experiment.particles]]`
+TableSpec particles_table();
+
+//! Spheres at random places in a region.
+struct Packing
+{
+    shape::Region region;
+    std::optional<shape::SizeDistribution> sizes = {}; //!< none: all of one diameter
+    double diameter = 0;                               //!< of all, where there is no distribution [m]
+    std::int64_t count = 0;                            //!< 0: as many as make the mass
+    double mass = 0;                                   //!< [kg]
+    Vector3 velocity = {};                             //!< [m/s]
+
+    double largest() const { return sizes ? sizes->largest() : diameter; }
+    double smallest() const { return sizes ? sizes->smallest() : diameter; }
+};
+
+//! A body that enters above the others.
+struct AboveOthers
+{
+    Body body;
+    double clearance; //!< of its lowest point over their mean surface [m]
+};
+
+//! Particles that enter together.
+struct ParticleGroup
+{
+    std::string name, material;
+    std::size_t stage; //!< at whose beginning they enter
+    std::variant<std::vector<Body>, Packing, AboveOthers> source;
+
+    bool is_one_body() const;
+    double smallest() const; //!< diameter [m]
+    double largest() const;
+    double expected_count(double density) const;
+    shape::BoxRegion bounds() const; //!< of where they enter
+};
+
+//! \throws InputError for what is wrong in one group; where they are is checked later
+std::vector<ParticleGroup> read_particles(RunInput const& input, Regions const& regions);
+
+//! Diameters [m] of a packing's spheres.
+std::vector<double> sample_diameters(Packing const& packing, double density, RandomStream& random);
+
+} // namespace demens::rig::custom

@@ -1,0 +1,63 @@
+#include "src/rig/custom/regions.hpp"
+
+#include "demens/base/error.hpp"
+#include "src/rig/custom/specs.hpp"
+
+#include <fmt/format.h>
+
+namespace demens::rig::custom {
+namespace {
+
+shape::Region read_region(OptionValues const& o)
+{
+    auto const& shape = o.text("shape");
+    if (shape == "box")
+        return shape::BoxRegion{1e-3 * o.vector("lower_mm"), 1e-3 * o.vector("upper_mm")};
+    if (shape == "cylinder")
+        return shape::CylinderRegion{1e-3 * o.vector("from_mm"), 1e-3 * o.vector("to_mm"),
+                                     1e-3 * o.number("radius_mm"), 1e-3 * o.number("inner_radius_mm")};
+    return shape::BallRegion{1e-3 * o.vector("centre_mm"), 1e-3 * o.number("radius_mm")};
+}
+
+} // namespace
+
+TableSpec region_table()
+{
+    return {.key = "region",
+            .doc = "a part of space, for packings, conditions and responses",
+            .options = {required_word("name", "its name")},
+            .kind_key = "shape",
+            .kinds = {{"box",
+                       "a box along the axes",
+                       {required_vector("lower_mm", "lower corner [mm]"),
+                        required_vector("upper_mm", "upper corner [mm]")}},
+                      {"cylinder",
+                       "a cylinder, possibly hollow",
+                       {required_vector("from_mm", "one end of its axis [mm]"),
+                        required_vector("to_mm", "the other end [mm]"),
+                        required(number("radius_mm", 0, "outer radius [mm]", positive)),
+                        number("inner_radius_mm", 0, "radius of its hole [mm]", 0)}},
+                      {"ball",
+                       "a ball",
+                       {required_vector("centre_mm", "centre [mm]"),
+                        required(number("radius_mm", 0, "radius [mm]", positive))}}}};
+}
+
+Regions read_regions(OptionValues const& experiment)
+{
+    Regions regions;
+    for (auto const& entry : experiment.tables("region")) {
+        auto const& name = entry.text("name");
+        auto const region = read_region(entry);
+        if (!(shape::volume(region) > 0))
+            throw InputError(
+                fmt::format("region.{} has no volume; {}", name,
+                            entry.text("shape") == "box"
+                                ? "upper_mm must be greater than lower_mm in x, y and z"
+                                : "its ends must differ and radius_mm must exceed inner_radius_mm"));
+        regions.emplace(name, region);
+    }
+    return regions;
+}
+
+} // namespace demens::rig::custom

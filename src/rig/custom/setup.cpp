@@ -1,0 +1,172 @@
+#include "src/rig/custom/setup.hpp"
+
+#include "demens/base/error.hpp"
+#include "demens/rig/common.hpp"
+#include "demens/shape/stl.hpp"
+#include "src/rig/custom/specs.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace demens::rig::custom {
+namespace {
+
+bool lists(std::vector<std::string> const& names, std::string const& name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+//! All pairs of materials that may meet have coefficients.
+void check_pairs(Setup const& setup)
+{
+    std::map<std::string, double> particles;
+    for (auto const& group : setup.groups)
+        particles[group.material] += group.expected_count(setup.density(group));
+    for (auto const& [material, count] : particles) {
+        for (auto const& [other, other_count] : particles)
+            if (material < other || (material == other && count > 1))
+                require_pair(setup.model, material, other);
+        for (auto const& wall : setup.walls)
+            require_pair(setup.model, material, wall.material);
+    }
+}
+
+//! Time step for the particles that need the smallest.
+double time_step_of(Setup const& setup, OptionValues const& options)
+{
+    TimeStepLimit limit{std::numeric_limits<double>::infinity(), {}};
+    for (auto const& group : setup.groups) {
+        auto const own = time_step_limit(setup.model, group.material, group.smallest(),
+                                         options.number("rayleigh_fraction"));
+        if (own.time_step < limit.time_step)
+            limit = own;
+    }
+    return chosen_time_step(options, limit);
+}
+
+shape::BoxRegion joined(shape::BoxRegion const& a, shape::BoxRegion const& b)
+{
+    return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y), std::min(a.lower.z, b.lower.z)},
+            {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y), std::max(a.upper.z, b.upper.z)}};
+}
+
+//! What the options say or, without them, all that has a place at first with a metre and its size around it.
+shape::BoxRegion domain_of(Setup const& setup, OptionValues const& options)
+{
+    auto box = setup.groups.front().bounds();
+    for (auto const& group : setup.groups)
+        box = joined(box, group.bounds());
+    box = joined(box, bounds(setup.walls, box));
+    double const around = 1 + norm(box.upper - box.lower);
+    box = {box.lower - Vector3{around, around, around}, box.upper + Vector3{around, around, around}};
+    if (auto const& lower = options.vector("domain_lower_mm"); !is_absent(lower))
+        box.lower = 1e-3 * lower;
+    if (auto const& upper = options.vector("domain_upper_mm"); !is_absent(upper))
+        box.upper = 1e-3 * upper;
+    if (!(shape::volume(box) > 0))
+        throw InputError(
+            "the domain has no volume: domain_upper_mm must be greater than domain_lower_mm in x, y "
+            "and z");
+    return box;
+}
+
+//! No mesh lies outside the domain, e.g. for a wrong unit.
+void check_meshes(Setup const& setup)
+{
+    for (auto const& wall : setup.walls)
+        if (auto const* mesh = std::get_if<dem::Mesh>(&wall.parts.front().shape)) {
+            try {
+                shape::check_within(*mesh->mesh, setup.domain.lower, setup.domain.upper);
+            } catch (InputError const& error) {
+                throw InputError(fmt::format("wall.{}: {}", wall.name, error.what()));
+            }
+        }
+}
+
+} // namespace
+
+std::vector<OptionSpec> experiment_options()
+{
+    Vector3 const none{not_given, not_given, not_given};
+    std::vector<OptionSpec> specs = {
+        vector("gravity_m_s2", {0, 0, -9.81}, "acceleration of gravity [m/s^2]"),
+        number("series_interval_s", 0.01, "between two looks at conditions and responses [s]", 1e-7),
+        vector(
+            "domain_lower_mm", none,
+            "a particle beyond has escaped; none: a metre and more around all that is there at first [mm]"),
+        vector(
+            "domain_upper_mm", none,
+            "a particle beyond has escaped; none: a metre and more around all that is there at first [mm]"),
+        number("initial_overlap", 0.05, "largest overlap of particles as given, over the smaller radius [-]",
+               0),
+        number("skin", 0.5, "reach of the neighbour lists beyond contact over the smallest radius [-]", 1e-3),
+    };
+    for (auto& spec : time_step_options())
+        specs.push_back(std::move(spec));
+    return specs;
+}
+
+Setup::Setup(RunInput const& input)
+    : model(input.model), seed(input.seed), walls(read_walls(input)),
+      gravity(input.experiment.vector("gravity_m_s2")),
+      interval(input.experiment.number("series_interval_s")),
+      overlap_limit(input.experiment.number("initial_overlap"))
+{
+    auto const regions = read_regions(input.experiment);
+    groups = read_particles(input, regions);
+    stages = read_stages(input.experiment, regions);
+    responses = read_responses(input.experiment, regions, groups);
+    check_pairs(*this);
+    time_step = time_step_of(*this, input.experiment);
+    double smallest = std::numeric_limits<double>::infinity();
+    for (auto const& group : groups)
+        smallest = std::min(smallest, group.smallest());
+    skin = input.experiment.number("skin") * 0.5 * smallest;
+    domain = domain_of(*this, input.experiment);
+    span_planes(walls, domain);
+    check_meshes(*this);
+    for (auto const& stage : stages)
+        for (auto const& wall : stage.walls_on)
+            if (lists(stage.walls_off, wall))
+                throw InputError(fmt::format("stage.{} has the wall {} both in walls_on and in walls_off",
+                                             stage.name, wall));
+}
+
+double Setup::density(ParticleGroup const& group) const
+{
+    return model.materials[material_index(model, group.material)].density;
+}
+
+bool Setup::is_on(WallPlan const& wall, std::size_t stage) const
+{
+    bool on = wall.active();
+    for (std::size_t k = 0; k <= stage; ++k)
+        on = lists(stages[k].walls_on, wall.name) || (on && !lists(stages[k].walls_off, wall.name));
+    return on;
+}
+
+bool Setup::reads_energy() const
+{
+    return std::any_of(responses.begin(), responses.end(),
+                       [](auto const& r) { return r.quantity == "energy"; });
+}
+
+double Setup::longest_duration() const
+{
+    double sum = 0;
+    for (auto const& stage : stages)
+        sum += stage.duration;
+    return sum;
+}
+
+double Setup::expected_particles() const
+{
+    double sum = 0;
+    for (auto const& group : groups)
+        sum += group.expected_count(density(group));
+    return sum;
+}
+
+} // namespace demens::rig::custom

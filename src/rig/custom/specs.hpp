@@ -1,0 +1,65 @@
+#pragma once
+
+#include "demens/base/options.hpp"
+
+#include <limits>
+
+//! Keys that several tables of the rig `custom` have.
+namespace demens::rig::custom {
+
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+constexpr double positive = std::numeric_limits<double>::min();
+
+inline OptionSpec word(std::string key, std::string doc)
+{
+    return {.key = std::move(key), .default_value = std::string(), .doc = std::move(doc)};
+}
+inline OptionSpec required_word(std::string key, std::string doc)
+{
+    return {.key = std::move(key), .default_value = std::string(), .doc = std::move(doc), .required = true};
+}
+inline OptionSpec choice(std::string key, std::vector<std::string> choices, std::string doc)
+{
+    auto const first = choices.front();
+    return {
+        .key = std::move(key), .default_value = first, .doc = std::move(doc), .choices = std::move(choices)};
+}
+inline OptionSpec entry(std::string key, std::string of, std::string doc)
+{
+    return {.key = std::move(key),
+            .default_value = std::string(),
+            .doc = std::move(doc),
+            .names_entry_of = std::move(of)};
+}
+inline OptionSpec required(OptionSpec spec)
+{
+    spec.required = true;
+    return spec;
+}
+inline OptionSpec number(std::string key, double value, std::string doc, double lower = -1e300)
+{
+    OptionSpec spec{.key = std::move(key), .default_value = value, .doc = std::move(doc)};
+    if (lower > -1e300)
+        spec.lower = lower;
+    return spec;
+}
+inline OptionSpec vector(std::string key, Vector3 value, std::string doc)
+{
+    return {.key = std::move(key), .default_value = value, .doc = std::move(doc)};
+}
+inline OptionSpec required_vector(std::string key, std::string doc)
+{
+    return required(vector(std::move(key), {}, std::move(doc)));
+}
+
+//! Entry of a list of named ones.
+template <class Named>
+std::size_t index_of(std::vector<Named> const& list, std::string const& name)
+{
+    std::size_t k = 0;
+    while (k < list.size() && list[k].name != name)
+        ++k;
+    return k;
+}
+
+} // namespace demens::rig::custom
