@@ -61,6 +61,7 @@ int main(int argc, char** argv)
     cli::add_laws(program, action);
     cli::add_keys(program, action);
     cli::add_fit(program, action);
+    cli::add_scale(program, action);
     try {
         program.parse(argc, argv);
     } catch (CLI::ParseError const& error) {

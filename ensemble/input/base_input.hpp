@@ -69,6 +69,8 @@ struct BaseInput
 
 //! Reads `[material.NAME]`, `[contact.A_B]` and `[size_distribution.NAME]`.
 BaseInput read_base_model(InputTable const& file);
+//! Reads one `[size_distribution.NAME]`.
+SizeTable read_size_distribution(InputTable const& table, std::string const& name);
 //! Reads `[[experiment]]`; the options of their rigs go to `base`. \return also the tables, for later
 //! messages
 struct ReadExperiments

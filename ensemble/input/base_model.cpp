@@ -67,6 +67,20 @@ PairTable read_pair(InputTable const& section, std::string const& name, BaseInpu
     return pair;
 }
 
+} // namespace
+
+void check_name(InputTable const& table, std::string const& key, std::string const& name)
+{
+    auto const letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+    auto const digit = [](char c) { return c >= '0' && c <= '9'; };
+    bool const good = !name.empty() && letter(name.front()) &&
+                      std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); });
+    if (!good)
+        throw table.error(key,
+                          "a name must begin with a letter and hold letters, digits and underscores only, so "
+                          "that paths and expressions can use it");
+}
+
 SizeTable read_size_distribution(InputTable const& table, std::string const& name)
 {
     table.allow_only(keys_of(size_distribution_lists()));
@@ -91,20 +105,6 @@ SizeTable read_size_distribution(InputTable const& table, std::string const& nam
         throw table.error(fmt::format("{} (diameters in m here)", error.what()));
     }
     return sizes;
-}
-
-} // namespace
-
-void check_name(InputTable const& table, std::string const& key, std::string const& name)
-{
-    auto const letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
-    auto const digit = [](char c) { return c >= '0' && c <= '9'; };
-    bool const good = !name.empty() && letter(name.front()) &&
-                      std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); });
-    if (!good)
-        throw table.error(key,
-                          "a name must begin with a letter and hold letters, digits and underscores only, so "
-                          "that paths and expressions can use it");
 }
 
 BaseInput read_base_model(InputTable const& file)

@@ -5,25 +5,11 @@
 #include "ensemble/input/nearest.hpp"
 #include "ensemble/input/resolved_text.hpp"
 #include "ensemble/input/section.hpp"
+#include "ensemble/input/toml_file.hpp"
 #include "ensemble/input/whole_checks.hpp"
-
-#include <fmt/format.h>
-#include <fstream>
-#include <iterator>
 
 namespace demens::ensemble {
 namespace {
-
-toml::table parse(std::string const& text, std::string const& origin)
-{
-    try {
-        return toml::parse(text, origin);
-    } catch (toml::parse_error const& error) {
-        auto const& where = error.source().begin;
-        throw InputError(fmt::format("{}:{}: column {}: not TOML: {}", origin, where.line, where.column,
-                                     error.description()));
-    }
-}
 
 template <class Section>
 void read_section(input::InputTable const& table, std::vector<std::string> const& lists, Section& section)
@@ -36,18 +22,15 @@ void read_section(input::InputTable const& table, std::vector<std::string> const
 CampaignInput CampaignInput::from_file(std::filesystem::path const& file,
                                        std::vector<rig::RigInfo> const& rigs)
 {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file))
-        throw InputError(file.string() + ": cannot be read; give a campaign's TOML file");
-    std::string const text{std::istreambuf_iterator<char>(stream), {}};
-    return from_text(text, file.string(), rigs, input::files_beside(file));
+    return from_text(input::read_text(file, "a campaign's TOML file"), file.string(), rigs,
+                     input::files_beside(file));
 }
 
 CampaignInput CampaignInput::from_text(std::string const& toml, std::string const& origin,
                                        std::vector<rig::RigInfo> const& rigs,
                                        input::FileSource const& files)
 {
-    auto const parsed = parse(toml, origin);
+    auto const parsed = input::parse_toml(toml, origin);
     input::InputTable const file(parsed, "", origin);
     file.allow_only({"campaign", "material", "contact", "size_distribution", "experiment", "factor",
                      "constraint", "design", "surrogate", "solver", "stop", "run"});

@@ -67,6 +67,26 @@ double SizeDistribution::quantile(double mass_fraction) const
     return diameters_[i - 1] + t * (diameters_[i] - diameters_[i - 1]);
 }
 
+double SizeDistribution::spheres_per_volume() const
+{
+    // The share dF of the volume at d holds dF/(pi/6 d^3) spheres. F is linear between two points and may
+    // begin with a step, so that the integral of dF/d^3 is exact.
+    double sum = fractions_.front() / std::pow(diameters_.front(), 3);
+    for (std::size_t i = 1; i < diameters_.size(); ++i) {
+        double const a = diameters_[i - 1], b = diameters_[i];
+        sum += (fractions_[i] - fractions_[i - 1]) * (a + b) / (2 * a * a * b * b);
+    }
+    return 6 / std::numbers::pi * sum;
+}
+
+SizeDistribution SizeDistribution::scaled(double factor) const
+{
+    auto diameters = diameters_;
+    for (double& d : diameters)
+        d *= factor;
+    return {std::move(diameters), fractions_};
+}
+
 std::vector<double> SizeDistribution::sample_mass(double mass, double density, RandomStream& random) const
 {
     // Walk along the cumulative mass curve, sphere by sphere: each sphere stands for its own stretch of the

@@ -3,12 +3,12 @@
 #include "ensemble/input/input_table.hpp"
 #include "ensemble/input/linear_inequality.hpp"
 #include "ensemble/input/nearest.hpp"
+#include "ensemble/input/toml_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
+
 #include <limits>
 
 namespace demens::tao_calib {
@@ -66,16 +66,6 @@ std::vector<OptionSpec> const constraint_options = {{.key = "expression",
                                                      .doc = "e.g. \"kinetic <= static\"",
                                                      .required = true}};
 
-toml::table parse(std::string const& text, std::string const& origin)
-{
-    try {
-        return toml::parse(text, origin);
-    } catch (toml::parse_error const& error) {
-        throw InputError(
-            fmt::format("{}:{}: not TOML: {}", origin, error.source().begin.line, error.description()));
-    }
-}
-
 FitFactor read_factor(InputTable const& table)
 {
     auto const values = table.read(factor_options);
@@ -107,16 +97,14 @@ FitResponse read_response(InputTable const& table)
 
 FitInput FitInput::from_file(std::filesystem::path const& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file))
-        throw InputError(file.string() +
-                         ": cannot be read; give the TOML file that names a table, factors and responses");
-    return from_text({std::istreambuf_iterator<char>(stream), {}}, file.string());
+    return from_text(
+        ensemble::input::read_text(file, "the TOML file that names a table, factors and responses"),
+        file.string());
 }
 
 FitInput FitInput::from_text(std::string const& toml, std::string const& origin)
 {
-    auto const parsed = parse(toml, origin);
+    auto const parsed = ensemble::input::parse_toml(toml, origin);
     InputTable const file(parsed, "", origin);
     file.allow_only({"fit", "factor", "response", "constraint"});
 

@@ -3,6 +3,7 @@
 # usage: command_line.sh DEMENS CAMPAIGN.toml
 set -euo pipefail
 demens=$1 campaign=$2
+inputs=$(cd "$(dirname "$campaign")/../../inputs" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cp "$campaign" "$folder/impact.toml"
@@ -41,5 +42,10 @@ grep -q 'angle_deg .* at least 0 and at most 89' list.txt
 grep -q 'restitution .* required' list.txt
 "$demens" keys >list.txt
 grep -q '^\[\[factor\]\]' list.txt
+# A smaller drum is planned from the real one.
+"$demens" scale "$inputs/drum-am-powders/scale-ti64.toml" >plan.txt
+grep -q '^  break_energy_mJ_kg  *148.86  *29.772$' plan.txt
+grep -q '^  Froude number .* kept$' plan.txt
+grep -q '^  inertial number .* times 5$' plan.txt
 "$demens" --help >list.txt
 grep -q '75 .*run the same command again' list.txt

@@ -24,6 +24,11 @@ class SizeDistribution
     //! sphere.
     std::vector<double> sample_mass(double mass, double density, RandomStream& random) const;
 
+    //! Expected number of spheres in a unit of solid volume [1/m^3].
+    double spheres_per_volume() const;
+    //! The distribution with all diameters times a factor.
+    SizeDistribution scaled(double factor) const;
+
     double smallest() const { return diameters_.front(); }
     double largest() const { return diameters_.back(); }
     std::vector<double> const& diameters() const { return diameters_; }

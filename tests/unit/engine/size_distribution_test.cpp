@@ -41,6 +41,23 @@ TEST(SizeDistribution, ClassesGiveOnlyTheirDiameters)
     EXPECT_NEAR(mass_of(sample, 2500, 0, 0.015) / 10, 0.25, 0.002);
 }
 
+TEST(SizeDistribution, CountsItsSpheres)
+{
+    // Equal spheres: 1/(pi/6 d^3). Two classes: each share of the volume with its own. A curve from d to 2 d:
+    // (d + 2 d)/(2 d^2 4 d^2) = 3/8 d^-3, as the integral of dF/d^3 gives.
+    double const per_cubed = 6 / std::numbers::pi;
+    EXPECT_DOUBLE_EQ(SizeDistribution({0.5}, {1}).spheres_per_volume(), 8 * per_cubed);
+    EXPECT_DOUBLE_EQ(SizeDistribution::from_classes({0.5, 1}, {0.25, 0.75}).spheres_per_volume(),
+                     2.75 * per_cubed);
+    EXPECT_DOUBLE_EQ(SizeDistribution({1, 2}, {0, 1}).spheres_per_volume(), 0.375 * per_cubed);
+    SizeDistribution const sizes({0.010, 0.015, 0.020}, {0.1, 0.3, 1});
+    RandomStream random(3);
+    auto const sample = sizes.sample_mass(100, 2500, random);
+    double const expected = 100.0 / 2500 * sizes.spheres_per_volume();
+    EXPECT_NEAR(static_cast<double>(sample.size()), expected, 2e-3 * expected);
+    EXPECT_DOUBLE_EQ(sizes.scaled(2).spheres_per_volume(), sizes.spheres_per_volume() / 8);
+}
+
 TEST(SizeDistribution, SameSeedSameSampleOtherSeedOtherOrder)
 {
     SizeDistribution const sizes({0.010, 0.020}, {0, 1});
