@@ -136,7 +136,9 @@ void check_packing(Setup const& setup, ParticleGroup const& group, Packing const
     check_in_domain(setup,
                     {.place = box.upper, .origin = fmt::format("the region of particles.{}", group.name)});
     auto const walls = walls_at_first_place(setup, group.stage);
-    auto const clear_of_walls = [&](Vector3 const& p, double r) {
+    auto const is_free = [&](Vector3 const& p, double r) {
+        if (packing.within && !shape::contains(*packing.within, p, r))
+            return false;
         for (auto const* wall : walls)
             for (auto const& part : wall->parts)
                 if (overlap_with(part, p, r) > 0)
@@ -147,7 +149,7 @@ void check_packing(Setup const& setup, ParticleGroup const& group, Packing const
     double solid = 0;
     for (double const d : sample_diameters(packing, setup.density(group), sizes))
         solid += std::numbers::pi / 6 * d * d * d;
-    double const room = shape::free_volume(packing.region, 0.25 * packing.smallest(), clear_of_walls);
+    double const room = shape::free_volume(packing.region, 0.25 * packing.smallest(), is_free);
     constexpr double densest = 0.33;
     if (solid > densest * room)
         throw InputError(
@@ -196,13 +198,15 @@ std::vector<Body> fill(World const& world, Setup const& setup, std::size_t numbe
     std::vector<shape::Sphere> obstacles;
     for (auto const& body : existing(world.simulation.particles()))
         obstacles.push_back({body.place, body.radius});
-    auto const clear_of_walls = [&](Vector3 const& p, double r) {
+    auto const is_free = [&](Vector3 const& p, double r) {
+        if (packing.within && !shape::contains(*packing.within, p, r))
+            return false;
         auto const& walls = world.simulation.walls();
         return std::none_of(walls.begin(), walls.end(), [&](dem::Wall const& wall) {
             return wall.active && overlap_with(wall, p, r) > 0;
         });
     };
-    auto const found = shape::fill_region(diameters, packing.region, obstacles, clear_of_walls, places);
+    auto const found = shape::fill_region(diameters, packing.region, obstacles, is_free, places);
     std::vector<Body> bodies;
     for (std::size_t k = 0; k < found.size(); ++k)
         bodies.push_back({.place = found[k], .radius = 0.5 * diameters[k], .velocity = packing.velocity});

@@ -21,6 +21,8 @@ Packing read_packing(OptionValues const& o, RunInput const& input, Regions const
                      std::string const& where)
 {
     Packing packing{.region = regions.at(o.text("region"))};
+    if (!o.text("within").empty())
+        packing.within = regions.at(o.text("within"));
     packing.velocity = o.vector("velocity_m_s");
     auto const& sizes = o.text("size_distribution");
     bool const one_size = o.number("diameter_mm") > 0;
@@ -83,6 +85,7 @@ TableSpec particles_table()
                       {"packing",
                        "spheres at random places, which depend on the run's seed",
                        {required(entry("region", "region", "where; whole spheres lie in it")),
+                        entry("within", "region", "lie whole in this one too; empty: none"),
                         entry("size_distribution", "size_distribution", "sizes of the spheres"),
                         number("diameter_mm", 0, "diameter of all, instead of size_distribution [mm]", 0),
                         {.key = "count",

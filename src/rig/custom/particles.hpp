@@ -17,6 +17,7 @@ TableSpec particles_table();
 struct Packing
 {
     shape::Region region;
+    std::optional<shape::Region> within = {};          //!< lies in this one too
     std::optional<shape::SizeDistribution> sizes = {}; //!< none: all of one diameter
     double diameter = 0;                               //!< of all, where there is no distribution [m]
     std::int64_t count = 0;                            //!< 0: as many as make the mass

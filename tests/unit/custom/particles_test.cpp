@@ -97,6 +97,29 @@ TEST(CustomParticles, APackingHasItsMassOrItsNumber)
                 0.5 * large);
 }
 
+TEST(CustomParticles, APackingLiesInBothItsRegions)
+{
+    // Half a drum of 40 mm radius: all centres have x < -2.5 mm and are at most 37.5 mm from the axis.
+    auto const text =
+        custom_campaign("[[experiment.region]]\nname = \"left\"\nshape = \"box\"\nlower_mm = [-40, 0, -40]\n"
+                        "upper_mm = [0, 20, 40]\n"
+                        "[[experiment.region]]\nname = \"drum\"\nshape = \"cylinder\"\nfrom_mm = [0, 0, 0]\n"
+                        "to_mm = [0, 20, 0]\nradius_mm = 40\n"
+                        "[[experiment.particles]]\nname = \"bed\"\nsource = \"packing\"\nmaterial = "
+                        "\"glass\"\nregion = \"left\"\n"
+                        "within = \"drum\"\ndiameter_mm = 5\ncount = 150\n" +
+                            stage("only", "duration_s = 1e-4") + response("count", "quantity = \"count\""),
+                        weightless + "series_interval_s = 1e-4\n");
+    auto const result = run_custom(text);
+    ASSERT_EQ(result.status, rig::RunStatus::finished) << result.reason;
+    auto const& bed = result.snapshots.at(0);
+    ASSERT_EQ(bed.x.size(), 150u);
+    for (std::size_t k = 0; k < bed.x.size(); ++k) {
+        EXPECT_LE(bed.x[k], -0.0025);
+        EXPECT_LE(std::hypot(bed.x[k], bed.z[k]), 0.0375);
+    }
+}
+
 TEST(CustomParticles, APackingDependsOnTheSeedOnly)
 {
     auto const text = packed("diameter_mm = 5\ncount = 100");
