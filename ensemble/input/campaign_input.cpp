@@ -8,6 +8,8 @@
 #include "ensemble/input/toml_file.hpp"
 #include "ensemble/input/whole_checks.hpp"
 
+#include <fmt/format.h>
+
 namespace demens::ensemble {
 namespace {
 
