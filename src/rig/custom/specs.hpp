@@ -36,12 +36,10 @@ inline OptionSpec required(OptionSpec spec)
     spec.required = true;
     return spec;
 }
-inline OptionSpec number(std::string key, double value, std::string doc, double lower = -1e300)
+inline OptionSpec number(std::string key, double value, std::string doc,
+                         double lower = -std::numeric_limits<double>::infinity())
 {
-    OptionSpec spec{.key = std::move(key), .default_value = value, .doc = std::move(doc)};
-    if (lower > -1e300)
-        spec.lower = lower;
-    return spec;
+    return {.key = std::move(key), .default_value = value, .doc = std::move(doc), .lower = lower};
 }
 inline OptionSpec vector(std::string key, Vector3 value, std::string doc)
 {
@@ -50,16 +48,6 @@ inline OptionSpec vector(std::string key, Vector3 value, std::string doc)
 inline OptionSpec required_vector(std::string key, std::string doc)
 {
     return required(vector(std::move(key), {}, std::move(doc)));
-}
-
-//! Entry of a list of named ones.
-template <class Named>
-std::size_t index_of(std::vector<Named> const& list, std::string const& name)
-{
-    std::size_t k = 0;
-    while (k < list.size() && list[k].name != name)
-        ++k;
-    return k;
 }
 
 } // namespace demens::rig::custom
