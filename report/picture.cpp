@@ -42,11 +42,12 @@ struct Frame
         }
         if (along[0].width() > 0) return;
         for (auto const& snapshot : snapshots)
-            for (auto const& wall : snapshot.walls)
-                for (std::size_t axis = 0; axis < 3; ++axis) {
-                    along[axis].include(wall[axis]);
-                    along[axis].include(wall[axis + 3]);
-                }
+            for (auto const* outlines : {&snapshot.walls, &snapshot.wall_lines})
+                for (auto const& outline : *outlines)
+                    for (std::size_t axis = 0; axis < 3; ++axis) {
+                        along[axis].include(outline[axis]);
+                        along[axis].include(outline[axis + 3]);
+                    }
     }
     //! The part of an axis that is shown.
     Range shown(std::size_t axis) const
@@ -124,6 +125,11 @@ json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame
         walls.push_back({quanta(wall[frame.across()] - horizontal.lower), quanta(wall[2] - vertical.lower),
                          quanta(wall[frame.across() + 3] - horizontal.lower), quanta(wall[5] - vertical.lower)});
 
+    json lines = json::array();
+    for (auto const& line : snapshot.wall_lines)
+        lines.push_back({quanta(line[frame.across()] - horizontal.lower), quanta(line[2] - vertical.lower),
+                         quanta(line[frame.across() + 3] - horizontal.lower), quanta(line[5] - vertical.lower)});
+
     return {{"name", snapshot.name},
             {"time", snapshot.time},
             {"axes", {frame.across() == 0 ? "x" : "y", "z"}},
@@ -132,7 +138,8 @@ json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame
             {"quantum", quantum},
             {"hidden", hidden},
             {"particles", {{"h", h}, {"v", v}, {"r", r}, {"depth", d}, {"layer", layer}}},
-            {"walls", walls}};
+            {"walls", walls},
+            {"lines", lines}};
 }
 
 } // namespace

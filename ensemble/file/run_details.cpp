@@ -1,6 +1,7 @@
 #include "ensemble/file/run_tables.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <limits>
 
@@ -79,6 +80,14 @@ std::vector<double> column_of(hdf5::Array<float> const& table, std::size_t colum
     return values;
 }
 
+std::vector<std::array<double, 6>> sixes(hdf5::Array<float> const& table)
+{
+    std::vector<std::array<double, 6>> rows(table.data.size() / 6);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        std::copy_n(table.data.begin() + static_cast<std::ptrdiff_t>(6 * i), 6, rows[i].begin());
+    return rows;
+}
+
 } // namespace
 
 void write_details(RowWriter const& writer, int wave, std::vector<RunRecord> const& runs,
@@ -87,11 +96,11 @@ void write_details(RowWriter const& writer, int wave, std::vector<RunRecord> con
     for (std::size_t e = 0; e < input.experiments.size(); ++e)
         write_series(writer, wave, runs, details, static_cast<int>(e), input.experiments[e].name);
 
-    std::vector<float> particles, walls;
+    std::vector<float> particles, walls, lines;
     std::vector<int> run;
     std::vector<std::string> name;
     std::vector<double> time;
-    std::vector<std::int64_t> first_particle, particle_count, first_wall, wall_count;
+    std::vector<std::int64_t> first_particle, particle_count, first_wall, wall_count, first_line, line_count;
     for (std::size_t i = 0; i < runs.size(); ++i)
         for (auto const& snapshot : details[i].snapshots) {
             run.push_back(runs[i].run);
@@ -101,23 +110,31 @@ void write_details(RowWriter const& writer, int wave, std::vector<RunRecord> con
             particle_count.push_back(static_cast<std::int64_t>(snapshot.x.size()));
             first_wall.push_back(static_cast<std::int64_t>(walls.size() / 6));
             wall_count.push_back(static_cast<std::int64_t>(snapshot.walls.size()));
+            first_line.push_back(static_cast<std::int64_t>(lines.size() / 6));
+            line_count.push_back(static_cast<std::int64_t>(snapshot.wall_lines.size()));
             for (std::size_t p = 0; p < snapshot.x.size(); ++p)
                 for (double const value :
                      {snapshot.x[p], snapshot.y.at(p), snapshot.z.at(p), snapshot.radius.at(p)})
                     particles.push_back(static_cast<float>(value));
             for (auto const& wall : snapshot.walls)
                 walls.insert(walls.end(), wall.begin(), wall.end());
+            for (auto const& line : snapshot.wall_lines)
+                lines.insert(lines.end(), line.begin(), line.end());
         }
     auto const first_of_rank = static_cast<std::int64_t>(writer.first_row(particles.size() / 4));
     auto const wall_of_rank = static_cast<std::int64_t>(writer.first_row(walls.size() / 6));
+    auto const line_of_rank = static_cast<std::int64_t>(writer.first_row(lines.size() / 6));
     for (std::size_t s = 0; s < run.size(); ++s) {
         first_particle[s] += first_of_rank;
         first_wall[s] += wall_of_rank;
+        first_line[s] += line_of_rank;
     }
     auto const base = snapshots_path(wave);
     writer.write(base + "particles", particles,
                  {{"m"}, {"x", "y", "z", "radius"}, "particles of all snapshots"}, 4);
     writer.write(base + "walls", walls, {{"m"}, {"x0", "y0", "z0", "x1", "y1", "z1"}, "wall outlines"}, 6);
+    writer.write(base + "lines", lines, {{"m"}, {"x0", "y0", "z0", "x1", "y1", "z1"}, "rims and creases of walls"},
+                 6);
     writer.write(base + "run", run, number("run, one entry per snapshot"));
     writer.write_texts(base + "name", name, "landmark, one entry per snapshot");
     writer.write(base + "time", time, {{"s"}, {}, "simulated time, one entry per snapshot"});
@@ -125,6 +142,8 @@ void write_details(RowWriter const& writer, int wave, std::vector<RunRecord> con
     writer.write(base + "particle_count", particle_count, number("number of rows in particles"));
     writer.write(base + "first_wall", first_wall, number("first row in walls"));
     writer.write(base + "wall_count", wall_count, number("number of rows in walls"));
+    writer.write(base + "first_line", first_line, number("first row in lines"));
+    writer.write(base + "line_count", line_count, number("number of rows in lines"));
 }
 
 RunDetails read_details(hid_t file, int wave, std::size_t row, std::string const& experiment)
@@ -173,10 +192,9 @@ RunDetails read_details(hid_t file, int wave, std::size_t row, std::string const
         snapshot.y = column_of(particles, 1);
         snapshot.z = column_of(particles, 2);
         snapshot.radius = column_of(particles, 3);
-        for (std::size_t i = 0; i + 6 <= walls.data.size(); i += 6) {
-            auto& wall = snapshot.walls.emplace_back();
-            std::copy_n(walls.data.begin() + static_cast<std::ptrdiff_t>(i), 6, wall.begin());
-        }
+        snapshot.walls = sixes(walls);
+        if (hdf5::exists(file, base + "lines")) // files of earlier programs have none
+            snapshot.wall_lines = sixes(rows_of("lines", "first_line", "line_count", s));
         details.snapshots.push_back(std::move(snapshot));
     }
     return details;

@@ -37,13 +37,13 @@ function draw_picture(canvas, picture, shade) {
     context.strokeStyle = '#3c4754';
     context.lineWidth = 3;
     const edges = picture.walls.filter(([h0, v0, h1, v1]) => h0 === h1 || v0 === v1); // the others are panes in front
-    for (const [h0, v0, h1, v1] of edges) {
+    for (const [h0, v0, h1, v1] of edges.concat(picture.lines)) {
         context.beginPath();
         context.moveTo(h(h0), v(v0));
         context.lineTo(h(h1), v(v1));
         context.stroke();
     }
-    canvas.dataset.marks = particles.h.length + edges.length;
+    canvas.dataset.marks = particles.h.length + edges.length + picture.lines.length;
 }
 
 function show_pictures(parent) {

@@ -6,6 +6,16 @@
 
 namespace demens::dem {
 
+namespace {
+
+//! When a triangle is due: bodies that have travelled so far are nearer by at most twice that.
+float due_after(double travelled, double clearance)
+{
+    return static_cast<float>((1 - 1e-6) * (travelled + 0.5 * clearance));
+}
+
+} // namespace
+
 void append_near_triangles(std::vector<NearTriangle>& near, shape::TriangleMesh const& mesh,
                            Vector3 const& position, double radius, double reach)
 {
@@ -13,28 +23,28 @@ void append_near_triangles(std::vector<NearTriangle>& near, shape::TriangleMesh 
     mesh.tree().for_each_near(position, radius + reach, [&](std::uint32_t triangle) {
         double const clearance = norm(mesh.facets()[triangle].nearest(position).offset) - radius;
         if (clearance < reach)
-            near.push_back({triangle, static_cast<float>(clearance - 1e-6 * std::abs(clearance))});
+            near.push_back({triangle, due_after(0, std::max(clearance, 0.0))});
     });
     std::sort(near.begin() + first, near.end(), [](NearTriangle const& a, NearTriangle const& b) {
-        return a.clearance != b.clearance ? a.clearance < b.clearance : a.triangle < b.triangle;
+        return a.due != b.due ? a.due < b.due : a.triangle < b.triangle;
     });
 }
 
-void MeshContactFinder::collect(shape::TriangleMesh const& mesh, std::span<NearTriangle const> near,
-                                double possible, Sphere const& sphere)
+void MeshContactFinder::collect(shape::TriangleMesh const& mesh, std::span<NearTriangle> near,
+                                double travelled, Sphere const& sphere)
 {
     candidates_.clear();
-    for (NearTriangle const& entry : near) {
-        if (entry.clearance > possible)
-            break;
-        shape::Facet const& facet = mesh.facets()[entry.triangle];
-        if (std::abs(dot(sphere.position - facet.corner, facet.normal)) >= sphere.reach)
+    double const now = travelled + 0.5 * (sphere.reach - sphere.radius);
+    for (NearTriangle& entry : near) {
+        if (entry.due > now)
             continue;
+        shape::Facet const& facet = mesh.facets()[entry.triangle];
         shape::Facet::Nearest const nearest = facet.nearest(sphere.position);
         double const squared = norm_squared(nearest.offset);
+        Candidate found{std::sqrt(squared), nearest.offset, nearest.feature, &facet};
+        entry.due = due_after(travelled, std::max(found.distance - sphere.radius, 0.0));
         if (squared >= sphere.reach * sphere.reach)
             continue;
-        Candidate found{std::sqrt(squared), nearest.offset, nearest.feature, &facet};
         if (squared == 0) { // the centre is on the triangle: push along its normal
             found.distance = 1e-9 * sphere.radius;
             found.offset = found.distance * facet.normal;
@@ -57,10 +67,10 @@ bool MeshContactFinder::is_passed_over(std::size_t candidate) const
 }
 
 std::span<Vector3 const> MeshContactFinder::find(shape::TriangleMesh const& mesh,
-                                                 std::span<NearTriangle const> near, double possible,
+                                                 std::span<NearTriangle> near, double travelled,
                                                  Sphere const& sphere)
 {
-    collect(mesh, near, possible, sphere);
+    collect(mesh, near, travelled, sphere);
     offsets_.clear();
     accepted_.clear();
     double const negligible = 1e-9 * sphere.radius;

@@ -152,7 +152,8 @@ void NeighbourSearch::add_patch(ContactList& list, std::uint32_t i, std::uint32_
     auto const slot = static_cast<std::uint32_t>(list.size());
     auto const count = static_cast<std::uint32_t>(triangles.size());
     list.patches.push_back({slot, std::min(count, MeshPatch::most_contacts),
-                            static_cast<std::uint32_t>(list.near_triangles.size()), count});
+                            static_cast<std::uint32_t>(list.near_triangles.size()), count,
+                            MeshPatch::always});
     list.near_triangles.insert(list.near_triangles.end(), triangles.begin(), triangles.end());
     for (std::uint32_t k = 0; k < list.patches.back().slots; ++k)
         list.add(i, wall);

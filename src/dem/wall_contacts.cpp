@@ -39,17 +39,25 @@ void test_patches(Mesh const& wall, ContactList& list, Place const* places, Slot
                   contact::Range const& range, double travelled, std::size_t& patch)
 {
     MeshContactFinder finder;
+    double const gap = std::max(range.reach(false), range.reach(true));
     for (; patch < list.patches.size() && list.patches[patch].first_slot < slots.to; ++patch) {
-        MeshPatch const& p = list.patches[patch];
+        MeshPatch& p = list.patches[patch];
+        if (p.due > travelled + 0.5 * gap)
+            continue;
         Place const& place = places[list.first[p.first_slot]];
-        double const gap = std::max(range.reach(false), range.reach(true));
+        std::span const near(list.near_triangles.data() + p.first_triangle, p.triangles);
         auto const contacts = finder.find(
-            *wall.mesh, {list.near_triangles.data() + p.first_triangle, p.triangles}, gap + 2 * travelled,
+            *wall.mesh, near, travelled,
             {wall.placement.inverse({place.x, place.y, place.z}), place.radius, place.radius + gap});
         std::array<Vector3, MeshPatch::most_contacts> offsets;
         std::transform(contacts.begin(), contacts.end(), offsets.begin(),
                        [&](Vector3 const& offset) { return wall.placement.rotation(offset); });
         assign_slots(list, p, {offsets.data(), contacts.size()});
+        p.due = MeshPatch::always;
+        if (contacts.empty())
+            p.due = std::min_element(near.begin(), near.end(), [](auto const& x, auto const& y) {
+                        return x.due < y.due;
+                    })->due;
     }
 }
 

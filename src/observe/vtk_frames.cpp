@@ -109,7 +109,7 @@ PolyData particles_of(Snapshot const& snapshot)
     return data;
 }
 
-//! The faces of axis-aligned boxes; of a flat box, the one face that it is.
+//! The faces of axis-aligned boxes; of a flat box, the one face that it is. Then the triangles of other walls.
 PolyData walls_of(Snapshot const& snapshot)
 {
     std::vector<float> corners;
@@ -131,6 +131,12 @@ PolyData walls_of(Snapshot const& snapshot)
                 ends.push_back(static_cast<std::int64_t>(faces.size()));
             }
         }
+    }
+    for (auto const& triangle : snapshot.wall_triangles) {
+        for (int corner = 0; corner < 3; ++corner)
+            faces.push_back(static_cast<std::int64_t>(corners.size() / 3) + corner);
+        for (double const value : triangle) corners.push_back(static_cast<float>(value));
+        ends.push_back(static_cast<std::int64_t>(faces.size()));
     }
     PolyData data(corners.size() / 3, snapshot.time);
     data.set_points(corners);

@@ -1,5 +1,7 @@
 #include "demens/rig/stage.hpp"
 
+#include "demens/observe/wall_outline.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -93,17 +95,9 @@ Snapshot take_snapshot(dem::Simulation const& simulation, std::string name)
         snapshot.vx[id] = v.x, snapshot.vy[id] = v.y, snapshot.vz[id] = v.z;
         snapshot.wx[id] = w.x, snapshot.wy[id] = w.y, snapshot.wz[id] = w.z;
     }
-    for (dem::Wall const& wall : simulation.walls()) {
-        if (!wall.active)
-            continue;
-        auto const* plate = std::get_if<dem::Rectangle>(&wall.shape);
-        if (plate == nullptr)
-            continue;
-        Vector3 const diagonal = plate->half_u * plate->axis_u + plate->half_v * plate->axis_v;
-        Vector3 const a = plate->centre - diagonal, b = plate->centre + diagonal;
-        snapshot.walls.push_back({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z),
-                                  std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)});
-    }
+    for (dem::Wall const& wall : simulation.walls())
+        if (wall.active)
+            observe::add_outline(snapshot, wall);
     return snapshot;
 }
 

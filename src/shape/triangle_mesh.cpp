@@ -101,7 +101,7 @@ TriangleMesh::TriangleMesh(TriangleSoup const& soup) : tree_({})
         throw InputError(fmt::format("none of the mesh's {} triangles has an area", soup.size()));
     for (Vector3 const& p : vertices_)
         extent_ = std::max(extent_, norm(p - centre_));
-    inspect_edges();
+    find_edges();
     tree_ = TriangleTree(facet_bounds());
 }
 
@@ -130,17 +130,24 @@ void TriangleMesh::add_facets(TriangleSoup const& soup)
     vertices_ = std::move(welder.vertices);
 }
 
-void TriangleMesh::inspect_edges()
+void TriangleMesh::find_edges()
 {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> triangles;
-    for (Facet const& facet : facets_)
-        for (std::size_t k = 0; k < 3; ++k)
-            ++triangles[std::minmax(facet.vertices[k], facet.vertices[(k + 1) % 3])];
-    for (auto const& [edge, count] : triangles) {
-        Vector3 const middle = 0.5 * (vertices_[edge.first] + vertices_[edge.second]);
-        if (count == 1 && faults_.open_edges++ == 0)
+    std::map<std::pair<std::uint32_t, std::uint32_t>, MeshEdge> edges;
+    for (std::uint32_t f = 0; f < facets_.size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k) {
+            auto const [a, b] = std::minmax(facets_[f].vertices[k], facets_[f].vertices[(k + 1) % 3]);
+            MeshEdge& edge = edges[{a, b}];
+            edge.vertices = {a, b};
+            if (edge.facet_count < 2)
+                edge.facets[edge.facet_count] = f;
+            ++edge.facet_count;
+        }
+    for (auto const& [vertices, edge] : edges) {
+        edges_.push_back(edge);
+        Vector3 const middle = 0.5 * (vertices_[edge.vertices[0]] + vertices_[edge.vertices[1]]);
+        if (edge.facet_count == 1 && faults_.open_edges++ == 0)
             faults_.first_open_edge = middle;
-        if (count > 2 && faults_.manifold_faults++ == 0)
+        if (edge.facet_count > 2 && faults_.manifold_faults++ == 0)
             faults_.first_manifold_fault = middle;
     }
 }

@@ -117,6 +117,9 @@ TEST_F(SessionTest, DetailsBelongToTheirRuns)
         EXPECT_EQ(snapshot.radius.front(), 0.0625);
         ASSERT_EQ(snapshot.walls.size(), 1u);
         EXPECT_EQ(snapshot.walls[0], (std::array<double, 6>{0, 0, 0, 1, 1, 1}));
+        ASSERT_EQ(snapshot.wall_lines.size(), snapshot.x.size());
+        double const end = run.factors[0] > 0.5 ? 2 : 3;
+        EXPECT_EQ(snapshot.wall_lines.back(), (std::array<double, 6>{0, 0.5, 1, end, 4, 5}));
     }
     EXPECT_THROW(read_run_details(file_, 15, formula_rigs()), InputError);
 }

@@ -11,17 +11,20 @@ namespace demens::dem {
 struct NearTriangle
 {
     std::uint32_t triangle;
-    float clearance; //!< at most its distance less the particle's radius, at the rebuild [m]
+    float
+        due; //!< the particle does not touch it before the bodies have travelled so far since the rebuild [m]
 };
 
 //! A particle near a mesh. It may touch several triangles, but the contacts are its own: they go on as it
 //! moves from triangle to triangle.
 struct MeshPatch
 {
-    static constexpr std::uint32_t most_contacts = 6;
+    static constexpr std::uint32_t most_contacts = 4;
+    static constexpr float always = -1;
 
     std::uint32_t first_slot, slots;         //!< its places in the contact list
-    std::uint32_t first_triangle, triangles; //!< its places among the near triangles, nearest first
+    std::uint32_t first_triangle, triangles; //!< its places among the near triangles
+    float due; //!< that of the first triangle due; `always` while it touches any
 };
 
 //! Pairs of one kind (same materials, hence same laws) that may touch before the next rebuild, with their

@@ -29,10 +29,10 @@ class MeshContactFinder
         double radius;
         double reach; //!< distance of the centre within which a triangle counts
     };
-    //! From each contact's point to the centre [m], deepest first. Triangles with a clearance above
-    //! `possible` [m] are known to be out of reach.
-    std::span<Vector3 const> find(shape::TriangleMesh const& mesh, std::span<NearTriangle const> near,
-                                  double possible, Sphere const& sphere);
+    //! From each contact's point to the centre [m], deepest first. Looks at the triangles that are due after
+    //! the bodies have travelled so far [m], and finds when they are due next.
+    std::span<Vector3 const> find(shape::TriangleMesh const& mesh, std::span<NearTriangle> near,
+                                  double travelled, Sphere const& sphere);
 
   private:
     struct Candidate
@@ -42,7 +42,7 @@ class MeshContactFinder
         shape::Feature feature;
         shape::Facet const* facet;
     };
-    void collect(shape::TriangleMesh const& mesh, std::span<NearTriangle const> near, double possible,
+    void collect(shape::TriangleMesh const& mesh, std::span<NearTriangle> near, double travelled,
                  Sphere const& sphere);
     //! Whether a triangle that shares its edge or corner comes nearer.
     bool is_passed_over(std::size_t candidate) const;

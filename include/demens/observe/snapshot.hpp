@@ -15,6 +15,10 @@ struct Snapshot
     std::vector<double> vx, vy, vz;           //!< [m/s]; empty where they were not kept
     std::vector<double> wx, wy, wz;           //!< [rad/s]; empty where they were not kept
     std::vector<std::array<double, 6>> walls; //!< axis-aligned wall outlines (x0, y0, z0, x1, y1, z1) [m]
+    //! Rims and creases of other walls, from (x0, y0, z0) to (x1, y1, z1) [m].
+    std::vector<std::array<double, 6>> wall_lines = {};
+    //! Surfaces of other walls, three corners each [m]; for frames, not kept in a campaign file.
+    std::vector<std::array<double, 9>> wall_triangles = {};
 };
 
 } // namespace demens::observe

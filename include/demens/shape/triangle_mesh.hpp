@@ -26,6 +26,14 @@ struct MeshFaults
     std::vector<std::string> warnings() const;
 };
 
+//! A side that triangles share.
+struct MeshEdge
+{
+    std::array<std::uint32_t, 2> vertices;
+    std::array<std::uint32_t, 2> facets; //!< the first two of them
+    std::uint32_t facet_count;           //!< 2 within a surface, 1 at its border
+};
+
 //! A surface of triangles whose corners are shared.
 class TriangleMesh
 {
@@ -36,6 +44,7 @@ class TriangleMesh
 
     std::vector<Vector3> const& vertices() const { return vertices_; }
     std::vector<Facet> const& facets() const { return facets_; }
+    std::vector<MeshEdge> const& edges() const { return edges_; }
     TriangleTree const& tree() const { return tree_; }
     Bounds const& bounds() const { return bounds_; }
     //! Middle of the bounds, and distance of the farthest corner from it [m].
@@ -45,7 +54,7 @@ class TriangleMesh
 
   private:
     void add_facets(TriangleSoup const& soup);
-    void inspect_edges();
+    void find_edges();
     std::vector<Bounds> facet_bounds() const;
 
     Bounds bounds_;
@@ -53,6 +62,7 @@ class TriangleMesh
     double extent_ = 0;
     std::vector<Vector3> vertices_;
     std::vector<Facet> facets_;
+    std::vector<MeshEdge> edges_; //!< in the order of their vertices
     MeshFaults faults_;
     TriangleTree tree_;
 };

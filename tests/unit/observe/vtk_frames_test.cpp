@@ -97,6 +97,22 @@ TEST_F(VtkFramesTest, a_floor_is_one_face_and_a_cube_six)
               (std::vector<float>{0, 0, 0, 2, 0, 0, 2, 3, 0, 0, 3, 0}));
 }
 
+TEST_F(VtkFramesTest, triangles_of_other_walls_follow)
+{
+    VtkFrames frames(folder);
+    auto snapshot = two_particles();
+    snapshot.walls.pop_back();
+    snapshot.wall_triangles = {{1, 2, 3, 4, 5, 6, 7, 8, 9}};
+    frames.write(snapshot);
+    auto const file = content("walls_000000.vtp");
+    EXPECT_EQ(attribute(file, "NumberOfPolys"), 2);
+    auto const points = array_of<float>(file, "Points");
+    ASSERT_EQ(points.size(), 21u);
+    EXPECT_EQ(std::vector<float>(points.begin() + 12, points.end()), (std::vector<float>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+    EXPECT_EQ(array_of<std::int64_t>(file, "connectivity"), (std::vector<std::int64_t>{0, 1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(array_of<std::int64_t>(file, "offsets"), (std::vector<std::int64_t>{4, 7}));
+}
+
 TEST_F(VtkFramesTest, collection_names_all_frames_with_their_times)
 {
     VtkFrames frames(folder);

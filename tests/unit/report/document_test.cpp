@@ -94,6 +94,9 @@ TEST(Picture, draws_the_nearest_particle_last_and_keeps_proportions)
     EXPECT_NEAR(particles["r"][0].get<double>() * quantum, 0.05, quantum);
     EXPECT_NEAR(particles["h"].back().get<double>() * quantum, 1.15 + 0.048, quantum);
     EXPECT_NEAR(picture["walls"][1][0].get<double>() * quantum, 1.2 + 0.048, quantum);
+    ASSERT_EQ(picture["lines"].size(), 2u);
+    EXPECT_NEAR(picture["lines"][0][2].get<double>() * quantum, 0.6 + 0.048, quantum);
+    EXPECT_NEAR(picture["lines"][0][3].get<double>() * quantum, 0.3 + 0.048, quantum);
 }
 
 TEST(Picture, has_one_frame_for_all_snapshots_of_a_run)

@@ -216,6 +216,7 @@ ensemble::RunDetails sample_details(int run)
                 }
         snapshot.walls = {{0, 0, 0, 0, 0.5, 1.2}, {1.2, 0, 0, 1.2, 0.5, 1.2}, {0, 0, 0, 1.2, 0.5, 0},
                           {0, 0, 0, 1.2, 0, 1.2}};
+        snapshot.wall_lines = {{0, 0.25, 0, 0.6, 0.25, 0.3}, {0.6, 0.25, 0.3, 1.2, 0.25, 0}};
         details.snapshots.push_back(snapshot);
     }
     details.series = {{"time_s", "upper_mass_kg"}, {"s", "kg"}, {{}, {}}};
