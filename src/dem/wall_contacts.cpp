@@ -18,15 +18,25 @@ DEMENS_INLINE Vector3 offset_from(Shape const& shape, Vector3 const& p, double r
     return norm_squared(offset) > 0 ? offset : 1e-9 * radius * normal(shape, p);
 }
 
-//! Tests slots [from, to), which are all of one wall.
-template <class Shape>
-void test_slots(Shape const& shape, ContactList& list, Place const* places, std::size_t from, std::size_t to)
+//! Sorts out which slots touch, by their offsets, and which have parted.
+struct SlotSorter
 {
-    for (std::size_t s = from; s < to; ++s) {
-        Place const& p = places[list.first[s]];
-        list.offset[s] = offset_from(shape, {p.x, p.y, p.z}, p.radius);
+    ContactList& list;
+    Place const* places;
+    contact::Range const& range;
+    std::uint32_t *now, *parted;
+    std::size_t touching_count = 0, parted_count = 0;
+
+    void operator()(std::size_t s)
+    {
+        double const reach = places[list.first[s]].radius + range.reach(list.touching[s]);
+        bool const touches = norm_squared(list.offset[s]) < reach * reach;
+        now[touching_count] = parted[parted_count] = static_cast<std::uint32_t>(s);
+        touching_count += touches;
+        parted_count += list.touching[s] & !touches;
+        list.touching[s] = touches;
     }
-}
+};
 
 //! Slots [from, to) are of one wall.
 struct Slots
@@ -34,17 +44,28 @@ struct Slots
     std::size_t from, to;
 };
 
-//! Tests the patches whose slots are among those of a mesh, from `patch` on; moves on past them.
-void test_patches(Mesh const& wall, ContactList& list, Place const* places, Slots slots,
-                  contact::Range const& range, double travelled, std::size_t& patch)
+template <class Shape>
+void test_slots(Shape const& shape, SlotSorter& sort, Slots slots)
+{
+    for (std::size_t s = slots.from; s < slots.to; ++s) {
+        Place const& p = sort.places[sort.list.first[s]];
+        sort.list.offset[s] = offset_from(shape, {p.x, p.y, p.z}, p.radius);
+        sort(s);
+    }
+}
+
+//! Tests the patches whose slots are among those of a mesh and that are due, from `patch` on; moves on past
+//! them. Slots of the others do not touch.
+void test_patches(Mesh const& wall, SlotSorter& sort, Slots slots, double travelled, std::size_t& patch)
 {
     MeshContactFinder finder;
-    double const gap = std::max(range.reach(false), range.reach(true));
+    ContactList& list = sort.list;
+    double const gap = std::max(sort.range.reach(false), sort.range.reach(true));
     for (; patch < list.patches.size() && list.patches[patch].first_slot < slots.to; ++patch) {
         MeshPatch& p = list.patches[patch];
         if (p.due > travelled + 0.5 * gap)
             continue;
-        Place const& place = places[list.first[p.first_slot]];
+        Place const& place = sort.places[list.first[p.first_slot]];
         std::span const near(list.near_triangles.data() + p.first_triangle, p.triangles);
         auto const contacts = finder.find(
             *wall.mesh, near, travelled,
@@ -53,6 +74,8 @@ void test_patches(Mesh const& wall, ContactList& list, Place const* places, Slot
         std::transform(contacts.begin(), contacts.end(), offsets.begin(),
                        [&](Vector3 const& offset) { return wall.placement.rotation(offset); });
         assign_slots(list, p, {offsets.data(), contacts.size()});
+        for (std::uint32_t s = 0; s < p.slots; ++s)
+            sort(p.first_slot + s);
         p.due = MeshPatch::always;
         if (contacts.empty())
             p.due = std::min_element(near.begin(), near.end(), [](auto const& x, auto const& y) {
@@ -98,30 +121,20 @@ std::pair<std::size_t, std::size_t> test_wall_contacts(ContactList& list, Partic
 {
     std::size_t const count = list.size();
     std::size_t patch = 0;
-    Place const* places = particles.place.data();
+    SlotSorter sort{list, particles.place.data(), range, now, parted};
     for (Slots slots{0, 0}; slots.from < count; slots.from = slots.to) {
         while (slots.to < count && list.second[slots.to] == list.second[slots.from])
             ++slots.to;
         std::visit(
             [&]<class Shape>(Shape const& shape) {
                 if constexpr (std::is_same_v<Shape, Mesh>)
-                    test_patches(shape, list, places, slots, range, travelled, patch);
+                    test_patches(shape, sort, slots, travelled, patch);
                 else
-                    test_slots(shape, list, places, slots.from, slots.to);
+                    test_slots(shape, sort, slots);
             },
             walls[list.second[slots.from]].shape);
     }
-    std::size_t n = 0, m = 0;
-    for (std::size_t s = 0; s < count; ++s) {
-        double const reach = particles.place[list.first[s]].radius + range.reach(list.touching[s]);
-        bool const touches = norm_squared(list.offset[s]) < reach * reach;
-        now[n] = static_cast<std::uint32_t>(s);
-        n += touches;
-        parted[m] = static_cast<std::uint32_t>(s);
-        m += list.touching[s] & !touches;
-        list.touching[s] = touches;
-    }
-    return {n, m};
+    return {sort.touching_count, sort.parted_count};
 }
 
 } // namespace demens::dem
