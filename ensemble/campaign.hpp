@@ -2,6 +2,7 @@
 
 #include "ensemble/input/campaign_input.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct RunRecord
     double simulated_time = 0;     //!< [s]
     std::int64_t steps = 0;
     std::int64_t particles = 0;
+    std::optional<dem::EnergyLedger> energy = {}; //!< at the end, of a run with the ledger
 };
 
 //! A named array that the calibration stores with a wave (surrogate, optimum), e.g. `optimum/best_point`.

@@ -1,6 +1,7 @@
 #include "ensemble/file/run_tables.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <limits>
 
@@ -65,6 +66,34 @@ void write_responses(RowWriter const& writer, Wave const& wave, CampaignInput co
         writer.write(responses_path(wave.number, input.experiments[experiment]), rows, meaning, infos.size());
 }
 
+//! One row per run; NaN for runs without the ledger.
+void write_energy(RowWriter const& writer, std::string const& path, std::vector<RunRecord> const& runs)
+{
+    hdf5::Meaning meaning{{"J"}, {}, "energy ledger at the end of each run; NaN where none was kept"};
+    for (auto const& entry : dem::energy_entries)
+        meaning.columns.push_back(entry.name);
+    std::vector<double> rows;
+    for (auto const& run : runs)
+        for (auto const& entry : dem::energy_entries)
+            rows.push_back(run.energy ? (*run.energy).*entry.value : not_reached);
+    writer.write(path, rows, meaning, dem::energy_entries.size());
+}
+
+void read_energy(hid_t file, std::string const& path, std::vector<RunRecord>& runs)
+{
+    if (!hdf5::exists(file, path))
+        return; // a file from before there was a ledger
+    auto const rows = hdf5::read<double>(file, path);
+    auto value = rows.begin();
+    for (auto& run : runs) {
+        dem::EnergyLedger energy;
+        for (auto const& entry : dem::energy_entries)
+            energy.*entry.value = *value++;
+        if (!std::isnan(energy.turned_over))
+            run.energy = energy;
+    }
+}
+
 void read_results(hid_t file, Wave& wave, CampaignInput const& input)
 {
     auto const base = wave_path(wave.number);
@@ -79,6 +108,7 @@ void read_results(hid_t file, Wave& wave, CampaignInput const& input)
     auto const simulated_time = hdf5::read<double>(file, table + "simulated_time");
     auto const steps = hdf5::read<std::int64_t>(file, table + "steps");
     auto const particles = hdf5::read<std::int64_t>(file, table + "particles");
+    read_energy(file, table + "energy", wave.runs);
     std::vector<std::vector<double>> responses;
     for (auto const& experiment : input.experiments)
         responses.push_back(experiment.responses.empty()
@@ -185,7 +215,7 @@ void write_results(RowWriter const& writer, Wave const& wave, CampaignInput cons
     auto const table = base + "/runs/";
     auto const& runs = wave.runs;
     std::string names;
-    for (int status = 0; status <= static_cast<int>(rig::RunStatus::quarantined); ++status)
+    for (int status = 0; status <= static_cast<int>(rig::RunStatus::unbalanced); ++status)
         names += fmt::format("{}{} {}", status ? ", " : "", status,
                              rig::name_of(static_cast<rig::RunStatus>(status)));
     writer.write(table + "status", column(runs, [](auto& r) { return static_cast<int>(r.status); }),
@@ -202,6 +232,7 @@ void write_results(RowWriter const& writer, Wave const& wave, CampaignInput cons
                  seconds("simulated time"));
     writer.write(table + "steps", column(runs, [](auto& r) { return r.steps; }), number("time steps"));
     writer.write(table + "particles", column(runs, [](auto& r) { return r.particles; }), number("particles"));
+    write_energy(writer, table + "energy", runs);
     for (std::size_t e = 0; e < input.experiments.size(); ++e)
         write_responses(writer, wave, input, e);
 }

@@ -80,6 +80,7 @@ FinishedRun execute(CampaignInput const& input, RunRecord const& plan, rig::RunH
     run.record.simulated_time = result.simulated_time;
     run.record.steps = result.steps;
     run.record.particles = result.particles;
+    run.record.energy = result.energy;
     return run;
 }
 

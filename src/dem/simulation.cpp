@@ -306,7 +306,10 @@ Health Simulation::check_health()
         return Health::not_a_number;
     if (left_domain_)
         return Health::escaped;
-    return overlap > options_.overlap_limit ? Health::overlapping : Health::good;
+    if (overlap > options_.overlap_limit)
+        return Health::overlapping;
+    bool const balanced = !meter_ || std::abs(energy().closure_error()) <= options_.closure_limit;
+    return balanced ? Health::good : Health::unbalanced;
 }
 
 Vector3 Simulation::velocity(std::size_t k) const

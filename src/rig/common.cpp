@@ -44,6 +44,26 @@ std::vector<OptionSpec> time_step_options()
     };
 }
 
+std::vector<OptionSpec> energy_options()
+{
+    return {
+        {.key = "energy_ledger",
+         .default_value = false,
+         .doc = "account for all energy, and store it with the run"},
+        {.key = "energy_closure_limit",
+         .default_value = 0.05,
+         .doc = "a run whose ledger misses more than this part of the energy turned over has failed [-]",
+         .lower = 1e-6},
+    };
+}
+
+dem::SimulationOptions with_energy_options(dem::SimulationOptions simulation, OptionValues const& options)
+{
+    simulation.energy_ledger = options.flag("energy_ledger");
+    simulation.closure_limit = options.number("energy_closure_limit");
+    return simulation;
+}
+
 TimeStepLimit time_step_limit(contact::Model const& model, std::string const& material,
                               double smallest_diameter, double rayleigh_fraction)
 {

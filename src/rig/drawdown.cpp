@@ -164,8 +164,8 @@ std::vector<OptionSpec> options()
          .lower = 1e-3,
          .upper = 2.0},
     };
-    for (auto& spec : time_step_options())
-        specs.push_back(std::move(spec));
+    for (auto const& common : {time_step_options(), energy_options()})
+        specs.insert(specs.end(), common.begin(), common.end());
     return specs;
 }
 
@@ -339,10 +339,12 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
         top = std::max(top, p.z + rig.sizes.largest());
 
     double const beyond = std::max(rig.width, rig.lower_width);
-    dem::Simulation simulation(rig.model, {.time_step = rig.time_step,
-                                           .skin = rig.skin,
-                                           .domain_lower = {-beyond, -rig.depth, -rig.drop - 0.1},
-                                           .domain_upper = {beyond, rig.depth, top + 1}});
+    dem::Simulation simulation(rig.model,
+                               with_energy_options({.time_step = rig.time_step,
+                                                    .skin = rig.skin,
+                                                    .domain_lower = {-beyond, -rig.depth, -rig.drop - 0.1},
+                                                    .domain_upper = {beyond, rig.depth, top + 1}},
+                                                   input.experiment));
     std::uint32_t const material = material_index(rig.model, rig.material);
     for (std::size_t k = 0; k < places.size(); ++k)
         simulation.add_particle(places[k], 0.5 * diameters[k], material);
@@ -353,10 +355,6 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
                      .units = {"s", "kg", "m/s"},
                      .columns = {{}, {}, {}}};
     double opened = 0;
-    auto const finish = [&] {
-        result.steps = simulation.steps_done();
-        result.simulated_time = simulation.time();
-    };
     try {
         fill(simulation, stages, rig, moving);
         result.snapshots.push_back(take_snapshot(simulation, "settled"));
@@ -413,10 +411,10 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
                             rig.mass / (bed_height * rig.width * rig.depth),
                             simulation.time() - opened};
     } catch (...) {
-        finish();
+        record_end(simulation, result);
         throw;
     }
-    finish();
+    record_end(simulation, result);
 }
 
 void check(RunInput const& input)

@@ -34,8 +34,8 @@ std::vector<OptionSpec> options()
          .default_value = 0.0,
          .doc = "angular velocity before, as if rolling backwards when positive"},
     };
-    for (auto& spec : time_step_options())
-        specs.push_back(std::move(spec));
+    for (auto const& common : {time_step_options(), energy_options()})
+        specs.insert(specs.end(), common.begin(), common.end());
     return specs;
 }
 
@@ -58,7 +58,8 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
     double const angle = o.number("angle_deg") * std::numbers::pi / 180;
     double const normal = speed * std::cos(angle), tangential = speed * std::sin(angle);
     double const dt = time_step(input);
-    dem::Simulation simulation(input.model, {.time_step = dt, .gravity = {}, .skin = 0.1 * radius});
+    dem::Simulation simulation(
+        input.model, with_energy_options({.time_step = dt, .gravity = {}, .skin = 0.1 * radius}, o));
     simulation.add_particle({0, 0, radius * (1 + 1e-12)}, radius,
                             material_index(input.model, o.text("material")), {tangential, 0, -normal},
                             {0, -o.number("spin_rad_s"), 0});
@@ -78,8 +79,7 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
     Vector3 const after = simulation.velocity(0);
     result.responses = {after.z / normal, tangential > 0 ? after.x / tangential : 1.0, simulation.spin(0).y,
                         1e6 * largest, 1e6 * static_cast<double>(in_contact) * dt};
-    result.steps = simulation.steps_done();
-    result.simulated_time = simulation.time();
+    record_end(simulation, result);
 }
 
 } // namespace

@@ -27,6 +27,8 @@ char const* name_of(RunStatus status)
         return "error";
     case RunStatus::quarantined:
         return "quarantined";
+    case RunStatus::unbalanced:
+        return "energy not balanced";
     }
     return "unknown";
 }

@@ -60,6 +60,13 @@ void StageRunner::check(std::string const& stage)
         throw RunFailure(RunStatus::overlapping,
                          fmt::format("two bodies overlap by more than {:.0f} % of the smaller radius {}",
                                      100 * simulation_.options().overlap_limit, when));
+    case dem::Health::unbalanced:
+        throw RunFailure(RunStatus::unbalanced,
+                         fmt::format("the energy ledger misses {:.2g} % of the energy turned over, more than "
+                                     "energy_closure_limit, {:.2g} %, {}; a smaller time step resolves the "
+                                     "contacts better",
+                                     100 * simulation_.energy().closure_error(),
+                                     100 * simulation_.options().closure_limit, when));
     }
     if (hooks_.should_stop && hooks_.should_stop())
         throw RunInterrupted();
@@ -99,6 +106,14 @@ Snapshot take_snapshot(dem::Simulation const& simulation, std::string name)
         if (wall.active)
             observe::add_outline(snapshot, wall);
     return snapshot;
+}
+
+void record_end(dem::Simulation& simulation, RunResult& result)
+{
+    result.steps = simulation.steps_done();
+    result.simulated_time = simulation.time();
+    if (simulation.options().energy_ledger)
+        result.energy = simulation.energy();
 }
 
 RunResult run_guarded(std::size_t responses, std::function<void(RunResult&)> const& body)

@@ -47,6 +47,8 @@ inline rig::RunResult run_formula(rig::RunInput const& input, rig::RunHooks cons
     result.simulated_time = 2.5;
     result.steps = 1000;
     result.particles = static_cast<std::int64_t>(1 + input.seed % 5);
+    if (x > 0.5)
+        result.energy = dem::EnergyLedger{.potential = x, .lost_to_friction = 0.5, .turned_over = 2};
     result.series = {{"time_s", "value"}, {"s", "1"}, {{0.0, 0.5, 1.0}, {x, result.responses[1], 7.0}}};
     for (auto const* name : {"settled", "final"}) {
         rig::Snapshot snapshot;

@@ -60,6 +60,11 @@ with h5py.File("campaign.h5") as file:
             checked += 1
             assert runs["status"][row] == 1 and runs["reason"].asstr()[row] == ""
             assert ours[row][1] == 2 * x + y
+            energy = dict(zip(texts_of(runs["energy"], "columns"), runs["energy"][row]))
+            if x > 0.5:
+                assert energy["potential"] == x and energy["lost_to_friction"] == 0.5 and energy["turned_over"] == 2
+            else:
+                assert numpy.isnan(list(energy.values())).all()
             table = values["values"][begin:begin + count]
             assert texts_of(values["values"], "columns") == ["time_s", "value"]
             assert table.tolist() == [[0, x], [0.5, 2 * x + y], [1, 7]]

@@ -84,6 +84,13 @@ TEST_F(SessionTest, ResponsesAreThoseOfTheRigItself)
         EXPECT_TRUE(same_bits(run.responses[1], expected[1])) << run.responses[1] << " " << expected[1];
         EXPECT_GE(run.group, 0);
         EXPECT_LT(run.group, size_of(MPI_COMM_WORLD));
+        ASSERT_EQ(run.energy.has_value(), run.factors[0] > 0.5);
+        if (run.energy) {
+            EXPECT_EQ(run.energy->potential, run.factors[0]);
+            EXPECT_EQ(run.energy->lost(), 0.5);
+            EXPECT_EQ(run.energy->turned_over, 2);
+            EXPECT_EQ(run.energy->kinetic(), 0);
+        }
     }
     EXPECT_EQ(campaign.waves[1].purpose, "search");
     EXPECT_EQ(campaign.waves[0].groups, size_of(MPI_COMM_WORLD));

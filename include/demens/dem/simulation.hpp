@@ -27,8 +27,9 @@ struct SimulationOptions
     double overlap_limit = 0.5;      //!< largest overlap over the smaller radius that counts as healthy
     Vector3 domain_lower = {-1e9, -1e9, -1e9}; //!< particles outside have escaped [m]
     Vector3 domain_upper = {1e9, 1e9, 1e9};
-    Periods periodic = {};      //!< particles that leave a period come back on its other side
-    bool energy_ledger = false; //!< account for all energy; the motion is the same, bit for bit
+    Periods periodic = {};       //!< particles that leave a period come back on its other side
+    bool energy_ledger = false;  //!< account for all energy; the motion is the same, bit for bit
+    double closure_limit = 0.05; //!< largest closure error of the ledger that counts as healthy
 };
 
 enum class Health
@@ -36,7 +37,8 @@ enum class Health
     good,
     not_a_number,
     escaped,
-    overlapping
+    overlapping,
+    unbalanced //!< the energy ledger does not close
 };
 
 //! Spheres and walls that move and touch: the state and one time step of it.

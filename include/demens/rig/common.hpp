@@ -2,6 +2,7 @@
 
 #include "demens/base/options.hpp"
 #include "demens/contact/model.hpp"
+#include "demens/dem/simulation.hpp"
 #include "demens/rig/rig.hpp"
 
 #include <vector>
@@ -16,6 +17,11 @@ contact::PairProperties const& require_pair(contact::Model const& model, std::st
 
 //! Keys with which every rig sets its time step.
 std::vector<OptionSpec> time_step_options();
+
+//! Keys with which every rig decides about the energy ledger.
+std::vector<OptionSpec> energy_options();
+//! Sets what they say. \return the simulation's options with it
+dem::SimulationOptions with_energy_options(dem::SimulationOptions simulation, OptionValues const& options);
 
 //! Largest time step that the rig's particles allow, and what sets it.
 struct TimeStepLimit

@@ -2,6 +2,7 @@
 
 #include "demens/base/options.hpp"
 #include "demens/contact/model.hpp"
+#include "demens/dem/energy.hpp"
 #include "demens/observe/snapshot.hpp"
 #include "demens/shape/size_distribution.hpp"
 
@@ -9,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +26,8 @@ enum class RunStatus
     overlapping = 4,  //!< overlap beyond the limit
     timed_out = 5,    //!< simulated or wall time ran out before the end criterion
     error = 6,        //!< any other reason; see the reason text
-    quarantined = 7   //!< begun twice and never ended
+    quarantined = 7,  //!< begun twice and never ended
+    unbalanced = 8    //!< the energy ledger does not close
 };
 char const* name_of(RunStatus status);
 
@@ -56,6 +59,7 @@ struct RunResult
     double simulated_time = 0;       //!< [s]
     std::int64_t steps = 0;
     std::int64_t particles = 0;
+    std::optional<dem::EnergyLedger> energy = {}; //!< at the end, of a run with the ledger
 };
 
 //! Contents of the files that an input names, by their names as its author wrote them.

@@ -52,6 +52,9 @@ class StageRunner
 //! Particles and walls now, sorted by id.
 Snapshot take_snapshot(dem::Simulation const& simulation, std::string name);
 
+//! What every run says about itself at its end: steps, time and the energy ledger, if there is one.
+void record_end(dem::Simulation& simulation, RunResult& result);
+
 //! Calls `body(result)` and turns what it throws into the status and reason of the run; responses that were
 //! not reached are NaN. \throws RunInterrupted
 RunResult run_guarded(std::size_t responses, std::function<void(RunResult&)> const& body);

@@ -154,21 +154,55 @@ TEST(TimeStep, LimitIsTheFractionOfTheRayleighTimeForHertz)
     EXPECT_NEAR(limit.time_step, 0.2 * rayleigh, 1e-6 * rayleigh);
 }
 
-TEST(Impact, ReboundHasTheRestitutionOfThePair)
+rig::RunInput steel_impact()
 {
-    auto const& info = *rig::find_rig("impact");
     rig::RunInput input;
     input.model.materials = {{"steel", 7850, 2e11, 0.3}};
     contact::PairProperties p{.first = "steel", .second = "steel"};
     p.restitution = 0.6;
     input.model.pairs = {p};
-    input.experiment = defaults_of(info.options);
+    input.experiment = defaults_of(rig::find_rig("impact")->options);
     input.experiment.set("material", std::string("steel"));
     input.experiment.set("wall_material", std::string("steel"));
     input.experiment.set("rayleigh_fraction", 0.02);
-    auto const result = info.run(input, {});
+    return input;
+}
+
+TEST(Impact, ReboundHasTheRestitutionOfThePair)
+{
+    auto const result = rig::find_rig("impact")->run(steel_impact(), {});
     ASSERT_EQ(result.status, rig::RunStatus::finished) << result.reason;
     EXPECT_NEAR(result.responses[0], 0.6, 1e-3);
+    EXPECT_FALSE(result.energy);
+}
+
+TEST(Impact, KeepsTheEnergyLedgerWhereAsked)
+{
+    auto input = steel_impact();
+    input.experiment.set("energy_ledger", true);
+    auto const result = rig::find_rig("impact")->run(input, {});
+    ASSERT_EQ(result.status, rig::RunStatus::finished) << result.reason;
+    // 1 - e^2 of m/2 v^2, with R = 2.5 mm and 1 m/s.
+    double const lost = 0.5 * 7850 * 4.0 / 3 * 3.14159265 * std::pow(2.5e-3, 3) * (1 - 0.36);
+    ASSERT_TRUE(result.energy);
+    EXPECT_NEAR(result.energy->lost_to_damping, lost, 2e-3 * lost);
+    EXPECT_EQ(result.energy->lost_to_friction, 0);
+    EXPECT_LT(std::abs(result.energy->closure_error()), 1e-3);
+    EXPECT_EQ(result.responses, rig::find_rig("impact")->run(steel_impact(), {}).responses);
+}
+
+TEST(Impact, FailsWhereTheLedgerDoesNotClose)
+{
+    // At the whole Rayleigh time an impact is three steps.
+    auto input = steel_impact();
+    input.experiment.set("energy_ledger", true);
+    input.experiment.set("energy_closure_limit", 0.01);
+    input.experiment.set("rayleigh_fraction", 1.0);
+    auto const result = rig::find_rig("impact")->run(input, {});
+    EXPECT_EQ(result.status, rig::RunStatus::unbalanced);
+    EXPECT_NE(result.reason.find("of the energy turned over, more than energy_closure_limit, 1 %"),
+              std::string::npos)
+        << result.reason;
 }
 
 } // namespace
