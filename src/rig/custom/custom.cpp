@@ -19,12 +19,14 @@ class Run
 {
   public:
     Run(Setup const& setup, RunHooks const& hooks, RunResult& result)
-        : setup_(setup), result_(result), simulation_(setup.model, {.time_step = setup.time_step,
-                                                                    .gravity = setup.gravity,
-                                                                    .skin = setup.skin,
-                                                                    .domain_lower = setup.domain.lower,
-                                                                    .domain_upper = setup.domain.upper,
-                                                                    .energy_ledger = setup.reads_energy()}),
+        : setup_(setup), result_(result),
+          simulation_(setup.model, {.time_step = setup.time_step,
+                                    .gravity = setup.gravity,
+                                    .skin = setup.skin,
+                                    .domain_lower = setup.domain.lower,
+                                    .domain_upper = setup.domain.upper,
+                                    .energy_ledger = setup.energy_ledger || setup.reads_energy(),
+                                    .closure_limit = setup.closure_limit}),
           world_{.simulation = simulation_,
                  .groups = std::vector<World::Ids>(setup.groups.size()),
                  .levels = std::vector<double>(setup.groups.size(), not_given)},
@@ -36,8 +38,7 @@ class Run
     void start_series(std::vector<ResponseInfo> const& infos, std::vector<OptionValues> const& tables);
     void finish()
     {
-        result_.steps = simulation_.steps_done();
-        result_.simulated_time = simulation_.time();
+        record_end(simulation_, result_);
         result_.particles = static_cast<std::int64_t>(simulation_.particles().size());
     }
 

@@ -103,8 +103,8 @@ std::vector<OptionSpec> experiment_options()
                0),
         number("skin", 0.5, "reach of the neighbour lists beyond contact over the smallest radius [-]", 1e-3),
     };
-    for (auto& spec : time_step_options())
-        specs.push_back(std::move(spec));
+    for (auto const& common : {time_step_options(), energy_options()})
+        specs.insert(specs.end(), common.begin(), common.end());
     return specs;
 }
 
@@ -112,7 +112,9 @@ Setup::Setup(RunInput const& input)
     : model(input.model), seed(input.seed), walls(read_walls(input)),
       gravity(input.experiment.vector("gravity_m_s2")),
       interval(input.experiment.number("series_interval_s")),
-      overlap_limit(input.experiment.number("initial_overlap"))
+      overlap_limit(input.experiment.number("initial_overlap")),
+      energy_ledger(input.experiment.flag("energy_ledger")),
+      closure_limit(input.experiment.number("energy_closure_limit"))
 {
     auto const regions = read_regions(input.experiment);
     groups = read_particles(input, regions);

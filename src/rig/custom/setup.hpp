@@ -24,6 +24,8 @@ struct Setup
     Vector3 gravity;                  // [m/s^2]
     double time_step, skin, interval; // [s], [m], [s]
     double overlap_limit;             // of particles at first, over the smaller radius
+    bool energy_ledger;
+    double closure_limit; // of the energy ledger [-]
 
     double density(ParticleGroup const& group) const; // [kg/m^3]
     //! Whether a wall is there in a stage.
