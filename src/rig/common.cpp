@@ -29,6 +29,15 @@ contact::PairProperties const& require_pair(contact::Model const& model, std::st
         fmt::format("{0} meets {1}, but there is no table [contact.{0}_{1}] with their coefficients", a, b));
 }
 
+shape::SizeDistribution const& size_distribution_of(RunInput const& input)
+{
+    std::string const& name = input.experiment.text("size_distribution");
+    auto const found = input.size_distributions.find(name);
+    if (found == input.size_distributions.end())
+        throw InputError(fmt::format("there is no [size_distribution.{}]", name));
+    return found->second;
+}
+
 std::vector<OptionSpec> time_step_options()
 {
     return {

@@ -34,17 +34,8 @@ struct Drawdown
     double wedge_margin;                          // [-]
 };
 
-shape::SizeDistribution const& sizes_of(RunInput const& input)
-{
-    std::string const& name = input.experiment.text("size_distribution");
-    auto const found = input.size_distributions.find(name);
-    if (found == input.size_distributions.end())
-        throw InputError(fmt::format("there is no [size_distribution.{}]", name));
-    return found->second;
-}
-
 Drawdown::Drawdown(RunInput const& input)
-    : model(input.model), filling_model(input.model), sizes(sizes_of(input))
+    : model(input.model), filling_model(input.model), sizes(size_distribution_of(input))
 {
     OptionValues const& o = input.experiment;
     material = o.text("material");

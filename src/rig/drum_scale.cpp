@@ -30,6 +30,12 @@ double bond_number(Powder const& powder)
     return 6 * powder.surface_energy / (powder.material.density * gravity * d * d);
 }
 
+//! Pull-off force over the area d^2 of a particle, as a strength, over the pressure rho g R of the bed.
+double bed_cohesion(DrumState const& drum, Powder const& powder)
+{
+    return bond_number(powder) * median(powder) / drum.radius;
+}
+
 //! Over a pressure, to the power 2/3: diameter over overlap of Hertzian particles, but for a factor near 1.
 double stiffness_number(DrumState const& drum, Powder const& powder)
 {
@@ -62,9 +68,12 @@ std::vector<SimilarityGroup> groups_of(DrumState const& real, Powder const& real
         {"stiffness number", "(E/((1 - nu^2) rho_bulk g R))^(2/3)", stiffness_number(real, real_powder),
          stiffness_number(drum, powder)},
     };
-    if (real_powder.surface_energy > 0)
+    if (real_powder.surface_energy > 0) {
         groups.push_back(
             {"Bond number", "6 gamma/(rho g d50^2)", bond_number(real_powder), bond_number(powder)});
+        groups.push_back({"cohesion of the bed", "6 gamma/(rho g d50 R)", bed_cohesion(real, real_powder),
+                          bed_cohesion(drum, powder)});
+    }
     if (real_powder.rolling_resistance > 0)
         groups.push_back({"rolling resistance", "d_R sqrt(g R)/d50", rolling_group(real, real_powder),
                           rolling_group(drum, powder)});
@@ -78,12 +87,14 @@ Powder scaled_powder(Powder const& real, DrumState const& real_drum, DrumState c
     powder.sizes = real.sizes.scaled(wish.particle_scale);
     if (wish.youngs_modulus > 0)
         powder.material.youngs_modulus = wish.youngs_modulus;
-    powder.surface_energy = wish.surface_energy >= 0
-                                ? wish.surface_energy
-                                : real.surface_energy * wish.particle_scale * wish.particle_scale;
-    powder.rolling_resistance = wish.rolling_resistance >= 0 ? wish.rolling_resistance
-                                                             : real.rolling_resistance * wish.particle_scale *
-                                                                   std::sqrt(real_drum.radius / drum.radius);
+    double const size = wish.particle_scale, radius = drum.radius / real_drum.radius;
+    powder.surface_energy =
+        wish.surface_energy >= 0
+            ? wish.surface_energy
+            : real.surface_energy * size * (wish.cohesion == CohesionKept::particle ? size : radius);
+    powder.rolling_resistance = wish.rolling_resistance >= 0
+                                    ? wish.rolling_resistance
+                                    : real.rolling_resistance * size / std::sqrt(radius);
     return powder;
 }
 

@@ -2,6 +2,7 @@
 
 #include "demens/rig/custom.hpp"
 #include "demens/rig/drawdown.hpp"
+#include "demens/rig/drum.hpp"
 #include "demens/rig/impact.hpp"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ std::vector<ResponseInfo> responses_of(RigInfo const& rig, OptionValues const& e
 
 std::vector<RigInfo> const& all_rigs()
 {
-    static std::vector<RigInfo> const rigs = {custom_rig(), drawdown_rig(), impact_rig()};
+    static std::vector<RigInfo> const rigs = {custom_rig(), drawdown_rig(), drum_rig(), impact_rig()};
     return rigs;
 }
 

@@ -80,6 +80,30 @@ TEST(Rolling, DecaysExponentiallyUnderViscousTorque)
     }
 }
 
+TEST(Rolling, ManyViscousContactsAtOnceDoNotTurnTheSpinRound)
+{
+    // A sphere held by four walls without friction: each takes its share of the spin, however viscous it is.
+    auto p = pair(0, contact::RollingLaw::viscous, 0);
+    p.rolling_viscosity = 1e3;
+    auto simulation = lying_sphere(p, {0, 0, -g}, {}, {0, 20, 0});
+    auto const wall = [&](Vector3 const& centre, Vector3 const& u, Vector3 const& v) {
+        simulation.add_wall({.shape = dem::Rectangle{centre, u, v, 1, 1}});
+    };
+    double const gap = 0.999 * radius;
+    wall({gap, 0, radius}, {0, 1, 0}, {0, 0, 1});
+    wall({-gap, 0, radius}, {0, 1, 0}, {0, 0, 1});
+    wall({0, 0, radius + gap}, {1, 0, 0}, {0, 1, 0});
+    double before = 20;
+    for (int k = 0; k < 20; ++k) {
+        simulation.step();
+        double const now = simulation.spin(0).y;
+        EXPECT_GE(now, 0);
+        EXPECT_LE(now, before);
+        before = now;
+    }
+    EXPECT_LT(before, 0.1);
+}
+
 TEST(Rolling, DownAnInclineAgainstRollingFriction)
 {
     // v = 5/7 g (sin - mu_r cos) t.

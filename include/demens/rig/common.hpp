@@ -15,6 +15,9 @@ std::uint32_t material_index(contact::Model const& model, std::string const& nam
 contact::PairProperties const& require_pair(contact::Model const& model, std::string const& a,
                                             std::string const& b);
 
+//! The distribution that `size_distribution` of the experiment names. \throws InputError
+shape::SizeDistribution const& size_distribution_of(RunInput const& input);
+
 //! Keys with which every rig sets its time step.
 std::vector<OptionSpec> time_step_options();
 

@@ -29,13 +29,22 @@ struct Powder
     double rolling_resistance = 0; //!< d_R of the rolling law `viscous`, 0: another law [s]
 };
 
+//! What a surface energy that is not given shall keep. Both are kept only where drum and particles shrink
+//! together.
+enum class CohesionKept
+{
+    particle, //!< pull-off force over a particle's weight, the Bond number
+    bed       //!< strength of the bed over the pressure of its weight
+};
+
 //! What a drum simulation is to be like; the rest follows from the real drum.
 struct ScaleWish
 {
-    double radius = 0, width = 0;   //!< [m]
-    double particle_scale = 1;      //!< simulated over real diameters [-]
-    double youngs_modulus = 0;      //!< [Pa]; 0: the real one
-    double surface_energy = -1;     //!< [J/m^2]; negative: such that the Bond number is kept
+    double radius = 0, width = 0; //!< [m]
+    double particle_scale = 1;    //!< simulated over real diameters [-]
+    double youngs_modulus = 0;    //!< [Pa]; 0: the real one
+    double surface_energy = -1;   //!< [J/m^2]; negative: such that `cohesion` is kept
+    CohesionKept cohesion = CohesionKept::particle;
     double rolling_resistance = -1; //!< [s]; negative: such that its group is kept
     double rayleigh_fraction = 0.2; //!< the time step over the Rayleigh time of the smallest sphere [-]
     double time_step = 0;           //!< [s]; 0: from the Rayleigh fraction

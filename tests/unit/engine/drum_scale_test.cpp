@@ -74,6 +74,7 @@ TEST(DrumScale, SaysWhatIsKept)
     EXPECT_NEAR(factor(plan, "Froude number"), 1, 1e-12);
     EXPECT_NEAR(factor(plan, "fill"), 1, 1e-12);
     EXPECT_NEAR(factor(plan, "Bond number"), 1, 1e-12); // the same particles
+    EXPECT_NEAR(factor(plan, "cohesion of the bed"), 5, 1e-12);
     EXPECT_NEAR(factor(plan, "drum over particle size"), 0.2, 1e-12);
     EXPECT_NEAR(factor(plan, "width over radius"), 1.0 / 7, 1e-12);
     EXPECT_NEAR(factor(plan, "inertial number"), 5, 1e-12);
@@ -93,6 +94,17 @@ TEST(DrumScale, KeepsTheBondNumberOfLargerParticles)
     EXPECT_NEAR(plan.particles, 75700.0 / 27, 20);
     wish.surface_energy = 0.16e-3;
     EXPECT_NEAR(factor(rig::scale_drum(real_drum(0.110), inconel(), wish), "Bond number"), 1.0 / 9, 1e-12);
+}
+
+TEST(DrumScale, KeepsTheStrengthOfTheBedInstead)
+{
+    auto wish = small;
+    wish.particle_scale = 3;
+    wish.cohesion = rig::CohesionKept::bed;
+    auto const plan = rig::scale_drum(real_drum(0.110), inconel(), wish);
+    EXPECT_NEAR(plan.powder.surface_energy, 3 * 0.2 * 0.16e-3, 1e-12);
+    EXPECT_NEAR(factor(plan, "cohesion of the bed"), 1, 1e-12);
+    EXPECT_NEAR(factor(plan, "Bond number"), 1.0 / 15, 1e-12);
 }
 
 TEST(DrumScale, TimeStepIsAFractionOfTheRayleighTime)

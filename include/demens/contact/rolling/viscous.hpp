@@ -5,7 +5,10 @@
 namespace demens::contact {
 
 //! Torque in proportion to the rolling velocity, M = -d_R |F_n| R* w without the twist about the normal; d_R
-//! is a time (Brilliantov and Poeschel 1998). It never turns the spin round within a step.
+//! is a time (Brilliantov and Poeschel 1998). It is bounded by a sixteenth of the torque that would stop the
+//! rolling of one contact within a step: all contacts of a particle together, which meet its own moment of
+//! inertia only (2/7 of that about a contact), must not turn its spin round. A bed locked by this law would
+//! else gain energy.
 class ViscousRolling
 {
   public:
@@ -17,7 +20,7 @@ class ViscousRolling
                                                         NormalResponse const& normal, Vector3*) const
     {
         double const resisting = viscosity_ * normal.limit * contact.effective_radius;
-        double const stopping = contact.rolling_inertia / contact.time_step;
+        double const stopping = contact.rolling_inertia / (16 * contact.time_step);
         double const scale = resisting < stopping ? -resisting : -stopping;
         return {scale * rolling_spin(contact)};
     }

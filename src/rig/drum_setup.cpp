@@ -1,0 +1,224 @@
+#include "src/rig/drum_setup.hpp"
+
+#include "demens/base/error.hpp"
+#include "demens/rig/common.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace demens::rig {
+namespace {
+
+constexpr double pi = std::numbers::pi, gravity = 9.81;
+constexpr double densest = 0.74;         //!< solid fraction of equal spheres that nothing exceeds
+constexpr double pours_to = 0.55;        //!< solid fraction that poured spheres reach
+constexpr double cannot_tell_below = 10; //!< samples, fewer of which have no statistics
+
+//! The one of two keys that is given (not 0). \throws InputError when both or none are
+std::string given_one(OptionValues const& o, std::string const& a, std::string const& b,
+                      std::string const& why)
+{
+    bool const has_a = o.number(a) > 0, has_b = o.number(b) > 0;
+    if (has_a && has_b)
+        throw InputError(
+            fmt::format("{} = {:.5g} and {} = {:.5g} are both given, but {}; leave one of them out", a,
+                        o.number(a), b, o.number(b), why));
+    if (!has_a && !has_b)
+        throw InputError(fmt::format("neither {} nor {} is given, but {}; give one of them", a, b, why));
+    return has_a ? a : b;
+}
+
+double angular_velocity(OptionValues const& o, double radius)
+{
+    return given_one(o, "speed_rpm", "froude", "either sets the speed") == "speed_rpm"
+               ? o.number("speed_rpm") * pi / 30
+               : std::sqrt(o.number("froude") * gravity / radius);
+}
+
+//! Bulk density of the fill [kg/m^3]; 0 where only the mass is known.
+double bulk_density_of(OptionValues const& o, double density)
+{
+    if (o.number("fill_fraction") == 0 && o.number("bulk_density") == 0 && o.number("solid_fraction") == 0)
+        return 0;
+    return given_one(o, "bulk_density", "solid_fraction", "either says how densely the drum is filled") ==
+                   "bulk_density"
+               ? o.number("bulk_density")
+               : o.number("solid_fraction") * density;
+}
+
+double mass_of(OptionValues const& o, DrumState const& drum, double bulk_density)
+{
+    return given_one(o, "mass_kg", "fill_fraction", "either sets the fill") == "mass_kg"
+               ? o.number("mass_kg")
+               : o.number("fill_fraction") * bulk_density * drum.volume();
+}
+
+DrumState state_of(OptionValues const& o, double bulk_density)
+{
+    DrumState drum{.radius = 1e-3 * o.number("radius_mm"), .width = 1e-3 * o.number("width_mm")};
+    drum.angular_velocity = angular_velocity(o, drum.radius);
+    drum.mass = mass_of(o, drum, bulk_density);
+    return drum;
+}
+
+void check_fill(DrumSetup const& setup)
+{
+    double const volume = setup.drum.volume();
+    if (setup.bulk_density >= densest * setup.density)
+        throw InputError(
+            fmt::format("a bulk density of {:.5g} kg/m^3 cannot be reached: spheres of density {:.5g} kg/m^3 "
+                        "pack to at most {} of it",
+                        setup.bulk_density, setup.density, densest));
+    double const bulk = setup.bulk_density > 0 ? setup.bulk_density : pours_to * setup.density;
+    if (setup.drum.mass > bulk * volume)
+        throw InputError(fmt::format(
+            "the drum is filled to {:.4g} %: {:.4g} kg of bulk density {:.5g} kg/m^3 do not fit into {:.4g} "
+            "cm^3; fill in less",
+            100 * setup.drum.mass / (bulk * volume), setup.drum.mass, bulk, 1e6 * volume));
+    if (setup.drum.mass > 0.9 * pours_to * setup.density * volume)
+        throw InputError(fmt::format(
+            "the spheres would fill {:.3g} of the drum's volume; poured, they reach a solid "
+            "fraction of {} and need a tenth of the drum to move: at most {:.4g} kg",
+            setup.drum.mass / (setup.density * volume), pours_to, 0.9 * pours_to * setup.density * volume));
+}
+
+} // namespace
+
+DrumSetup::DrumSetup(RunInput const& input) : model(input.model), sizes(size_distribution_of(input))
+{
+    OptionValues const& o = input.experiment;
+    material = o.text("material");
+    wall_material = o.text("wall_material");
+    end_material = o.text("end_material").empty() ? wall_material : o.text("end_material");
+    for (auto const& other : {material, wall_material, end_material})
+        require_pair(model, material, other);
+    ends = o.text("ends") == "turning"   ? DrumEnds::turning
+           : o.text("ends") == "resting" ? DrumEnds::resting
+                                         : DrumEnds::periodic;
+    density = model.materials[material_index(model, material)].density;
+    bulk_density = bulk_density_of(o, density);
+    drum = state_of(o, bulk_density);
+    discard_turns = o.number("discard_turns");
+    measure_turns = o.number("measure_turns");
+    samples_per_turn = static_cast<double>(o.integer("samples_per_turn"));
+    prominence = o.number("avalanche_prominence") * gravity_radius();
+    pixels = static_cast<int>(o.integer("image_pixels"));
+    time_step = chosen_time_step(o, model, material, sizes.smallest());
+    skin = o.number("skin") * 0.5 * sizes.largest();
+}
+
+double DrumSetup::fall_time() const
+{
+    return std::sqrt(4 * drum.radius / gravity);
+}
+
+std::vector<OptionSpec> drum_options()
+{
+    std::vector<OptionSpec> specs = {
+        {.key = "material",
+         .default_value = std::string(),
+         .doc = "material of the particles",
+         .required = true,
+         .names_entry_of = "material"},
+        {.key = "wall_material",
+         .default_value = std::string(),
+         .doc = "material of the drum's lateral wall",
+         .required = true,
+         .names_entry_of = "material"},
+        {.key = "end_material",
+         .default_value = std::string(),
+         .doc = "material of the end walls; empty: as the lateral wall",
+         .names_entry_of = "material"},
+        {.key = "size_distribution",
+         .default_value = std::string(),
+         .doc = "sizes of the particles",
+         .required = true,
+         .names_entry_of = "size_distribution"},
+        {.key = "radius_mm", .doc = "inner radius [mm]", .required = true, .lower = 1e-6},
+        {.key = "width_mm", .doc = "inner width [mm]", .required = true, .lower = 1e-6},
+        {.key = "ends",
+         .default_value = std::string("turning"),
+         .doc = "end walls turn with the drum or stand still, or the drum goes on periodically",
+         .choices = {"turning", "resting", "periodic"}},
+        {.key = "speed_rpm", .doc = "speed [1/min]; 0: from froude", .lower = 1e-9},
+        {.key = "froude", .doc = "omega^2 R/g [-]; 0: from speed_rpm", .lower = 1e-15},
+        {.key = "mass_kg", .doc = "mass of the fill [kg]; 0: from fill_fraction", .lower = 1e-15},
+        {.key = "fill_fraction",
+         .doc = "bulk volume over the drum's volume [-]; 0: from mass_kg",
+         .lower = 1e-3},
+        {.key = "bulk_density", .doc = "of the fill [kg/m^3]; 0: from solid_fraction", .lower = 1e-3},
+        {.key = "solid_fraction",
+         .doc = "of the fill [-]; 0: from bulk_density",
+         .lower = 0.05,
+         .upper = densest},
+        {.key = "discard_turns",
+         .default_value = 1.0,
+         .doc = "turns before the measurement begins",
+         .lower = 0.0},
+        {.key = "measure_turns", .default_value = 3.0, .doc = "turns that are measured", .lower = 1e-3},
+        {.key = "samples_per_turn",
+         .default_value = std::int64_t{1000},
+         .doc = "how often energy and end view are taken in a turn",
+         .lower = 10,
+         .upper = 1e6},
+        {.key = "avalanche_prominence",
+         .default_value = 0.005,
+         .doc = "smallest fall of the specific energy that is an avalanche, over g R [-]",
+         .lower = 1e-9,
+         .upper = 1.0},
+        {.key = "image_pixels",
+         .default_value = std::int64_t{256},
+         .doc = "pixels of the end view along the diameter",
+         .lower = 8,
+         .upper = 8192},
+        {.key = "skin",
+         .default_value = 0.3,
+         .doc = "reach of the neighbour lists beyond contact over the largest radius [-]",
+         .lower = 1e-3,
+         .upper = 2.0},
+    };
+    for (auto& spec : time_step_options())
+        specs.push_back(std::move(spec));
+    return specs;
+}
+
+void check_drum(DrumSetup const& setup)
+{
+    check_fill(setup);
+    if (setup.drum.froude() >= 1)
+        throw InputError(fmt::format(
+            "the particles would centrifuge: the Froude number omega^2 R/g is {:.4g} at {:.4g} rpm; it must "
+            "be below 1, the speed below {:.4g} rpm",
+            setup.drum.froude(), setup.drum.angular_velocity * 30 / pi,
+            30 / pi * std::sqrt(gravity / setup.drum.radius)));
+    double const largest = setup.sizes.largest();
+    for (auto const& [key, room] :
+         {std::pair{"width_mm", setup.drum.width}, std::pair{"radius_mm", setup.drum.radius}})
+        if (room < 1.05 * largest)
+            throw InputError(fmt::format(
+                "no room for the particles: {} = {:.4g} must be larger than the largest particle, {:.4g} mm",
+                key, 1e3 * room, 1e3 * largest));
+    if (setup.ends == DrumEnds::periodic && setup.drum.width < 2.2 * (largest + setup.skin))
+        throw InputError(
+            fmt::format("width_mm = {:.4g} is too narrow for periodic ends: a particle of {:.4g} mm "
+                        "would meet the same neighbour on both sides; at least {:.4g}",
+                        1e3 * setup.drum.width, 1e3 * largest, 2200 * (largest + setup.skin)));
+    if (setup.measure_turns * setup.samples_per_turn < cannot_tell_below)
+        throw InputError(fmt::format("measure_turns = {:.4g} with samples_per_turn = {} give fewer than {} "
+                                     "samples; give more of either",
+                                     setup.measure_turns, setup.samples_per_turn, cannot_tell_below));
+    if (setup.sample_interval() < setup.time_step)
+        throw InputError(fmt::format("samples_per_turn = {} is more than the {:.0f} time steps of a turn",
+                                     setup.samples_per_turn,
+                                     setup.drum.seconds_per_turn() / setup.time_step));
+    if (2 * setup.drum.radius / setup.pixels > 0.5 * largest)
+        throw InputError(
+            fmt::format("image_pixels = {} is too coarse: a pixel is {:.4g} mm, the largest particle {:.4g} "
+                        "mm; at least {:.0f}",
+                        setup.pixels, 2e3 * setup.drum.radius / setup.pixels, 1e3 * largest,
+                        std::ceil(4 * setup.drum.radius / largest)));
+}
+
+} // namespace demens::rig

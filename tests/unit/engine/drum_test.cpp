@@ -1,0 +1,196 @@
+// The rig drum: what it measures agrees with what an ideal bed would give, and what it refuses.
+#include "demens/base/error.hpp"
+#include "demens/observe/circular_segment.hpp"
+#include "demens/rig/rig.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace {
+
+using namespace demens;
+
+//! A drum 10 mm in radius with some 250 soft grains of 1.2 mm that flow evenly.
+rig::RunInput small_drum(double friction = 0.5)
+{
+    rig::RunInput input;
+    input.model.materials = {{"grain", 2500, 1e5, 0.3}, {"steel", 7850, 1e5, 0.3}};
+    for (auto const* other : {"grain", "steel"}) {
+        contact::PairProperties pair{.first = "grain", .second = other};
+        pair.restitution = 0.5;
+        pair.static_friction = pair.kinetic_friction = friction;
+        input.model.pairs.push_back(pair);
+    }
+    input.size_distributions.emplace("narrow", shape::SizeDistribution({1.1e-3, 1.3e-3}, {0, 1}));
+    auto& options = input.experiment;
+    options = defaults_of(rig::find_rig("drum")->options);
+    options.set("material", std::string("grain"));
+    options.set("wall_material", std::string("steel"));
+    options.set("size_distribution", std::string("narrow"));
+    options.set("radius_mm", 10.0);
+    options.set("width_mm", 4.0);
+    options.set("ends", std::string("periodic"));
+    options.set("froude", 1e-2);
+    options.set("fill_fraction", 0.4);
+    options.set("solid_fraction", 0.58);
+    options.set("discard_turns", 0.3);
+    options.set("measure_turns", 0.6);
+    options.set("samples_per_turn", std::int64_t{200});
+    input.seed = 1;
+    return input;
+}
+
+rig::RunResult run(rig::RunInput const& input)
+{
+    auto const& drum = *rig::find_rig("drum");
+    drum.check(input);
+    return drum.run(input, {});
+}
+
+std::map<std::string, double> responses(rig::RunResult const& result)
+{
+    auto const& drum = *rig::find_rig("drum");
+    EXPECT_EQ(result.status, rig::RunStatus::finished) << result.reason;
+    EXPECT_EQ(result.responses.size(), drum.responses.size());
+    std::map<std::string, double> named;
+    for (std::size_t k = 0; k < result.responses.size(); ++k)
+        named[drum.responses.at(k).name] = result.responses[k];
+    return named;
+}
+
+std::string refusal(rig::RunInput const& input)
+{
+    try {
+        rig::find_rig("drum")->check(input);
+    } catch (InputError const& error) {
+        return error.what();
+    }
+    return "";
+}
+
+std::string refusal(std::string const& key, double value)
+{
+    auto input = small_drum();
+    input.experiment.set(key, value);
+    return refusal(input);
+}
+
+TEST(Drum, EnergyIsThatOfTheBedThatTheCameraSees)
+{
+    // Two ways to the same bed: heights of all particles; area and inclination of the picture.
+    auto const result = run(small_drum());
+    auto const named = responses(result);
+    EXPECT_GT(named.at("angle_of_repose_deg"), 15);
+    EXPECT_LT(named.at("angle_of_repose_deg"), 40);
+    EXPECT_NEAR(named.at("area_percent"), 42, 4);
+    EXPECT_GT(named.at("r2"), 0.95);
+    observe::CircularSegment const bed(named.at("area_percent") / 100);
+    EXPECT_NEAR(named.at("energy_mJ_kg"), 9.81 * 10 * bed.energy(named.at("angle_of_repose_deg")),
+                0.03 * 9.81 * 10);
+    EXPECT_GT(named.at("energy_se_mJ_kg"), 0);
+    EXPECT_LT(named.at("energy_se_mJ_kg"), 0.02 * 9.81 * 10);
+    // Break and rest lie on either side of the mean, an avalanche apart.
+    EXPECT_GE(named.at("break_energy_mJ_kg"), named.at("rest_energy_mJ_kg"));
+    EXPECT_NEAR(named.at("break_energy_mJ_kg") - named.at("rest_energy_mJ_kg"),
+                named.at("avalanche_energy_mJ_kg"), 1e-9);
+    // 0.6 of a turn, which takes 2 pi sqrt(R/(Fr g)) = 2.006 s.
+    auto const& time = result.series.columns[0];
+    EXPECT_NEAR(time.back(), 0.6 * 2 * std::numbers::pi * std::sqrt(0.01 / (1e-2 * 9.81)), 0.03);
+    EXPECT_NEAR(static_cast<double>(time.size()), 121, 3);
+    EXPECT_EQ(result.snapshots.size(), 2u);
+}
+
+TEST(Drum, ABedWithoutFrictionStaysLevel)
+{
+    auto const named = responses(run(small_drum(0)));
+    EXPECT_NEAR(named.at("angle_of_repose_deg"), 0, 3);
+    observe::CircularSegment const bed(named.at("area_percent") / 100);
+    EXPECT_NEAR(named.at("energy_mJ_kg"), 9.81 * 10 * bed.energy(0), 0.03 * 9.81 * 10);
+    // Nothing falls: an even flow has the same break and rest.
+    EXPECT_EQ(named.at("avalanches_per_turn"), 0);
+    EXPECT_EQ(named.at("break_energy_mJ_kg"), named.at("energy_mJ_kg"));
+}
+
+TEST(Drum, SameSeedSameBitsOtherSeedOtherPacking)
+{
+    auto input = small_drum();
+    input.experiment.set("measure_turns", 0.2);
+    auto const first = run(input).responses;
+    EXPECT_EQ(first, run(input).responses);
+    input.seed = 2;
+    EXPECT_NE(first, run(input).responses);
+}
+
+TEST(Drum, AFullDrumIsFilledInBatches)
+{
+    auto input = small_drum();
+    input.experiment.set("fill_fraction", 0.8);
+    input.experiment.set("ends", std::string("turning"));
+    input.experiment.set("discard_turns", 0.0);
+    input.experiment.set("measure_turns", 0.1);
+    auto const result = run(input);
+    ASSERT_EQ(result.status, rig::RunStatus::finished) << result.reason;
+    double solid = 0;
+    for (double const r : result.snapshots.at(0).radius)
+        solid += 4.0 / 3 * std::numbers::pi * r * r * r;
+    double const volume = std::numbers::pi * 1e-4 * 4e-3;
+    EXPECT_NEAR(solid / volume, 0.8 * 0.58, 1e-3);
+}
+
+TEST(Drum, RestingEndsHoldTheBedBackLessThanTurningOnes)
+{
+    // In a narrow drum the ends carry part of the bed: turning with it they lift it, standing still they
+    // slide past it.
+    std::map<std::string, double> angle;
+    for (auto const* ends : {"turning", "resting"}) {
+        auto input = small_drum();
+        input.experiment.set("ends", std::string(ends));
+        angle[ends] = responses(run(input)).at("angle_of_repose_deg");
+    }
+    EXPECT_GT(angle.at("turning"), angle.at("resting"));
+}
+
+TEST(Drum, RefusesWhatCannotBeRun)
+{
+    EXPECT_EQ(refusal(small_drum()), "");
+    EXPECT_NE(refusal("fill_fraction", 1.2).find("filled to 120 %"), std::string::npos);
+    EXPECT_NE(refusal("fill_fraction", 0.95).find("need a tenth of the drum to move"), std::string::npos);
+    EXPECT_NE(refusal("froude", 1.5).find("would centrifuge"), std::string::npos);
+    EXPECT_NE(refusal("froude", 0).find("neither speed_rpm nor froude"), std::string::npos);
+    EXPECT_NE(refusal("speed_rpm", 10).find("are both given"), std::string::npos);
+    EXPECT_NE(refusal("mass_kg", 1e-3).find("either sets the fill"), std::string::npos);
+    EXPECT_NE(refusal("solid_fraction", 0).find("neither bulk_density nor solid_fraction"),
+              std::string::npos);
+    EXPECT_NE(refusal("width_mm", 1.2).find("no room for the particles"), std::string::npos);
+    EXPECT_NE(refusal("width_mm", 2.5).find("too narrow for periodic ends"), std::string::npos);
+    EXPECT_NE(refusal("measure_turns", 0.01).find("fewer than 10 samples"), std::string::npos);
+    auto input = small_drum();
+    input.model.pairs.pop_back();
+    EXPECT_NE(refusal(input).find("[contact.grain_steel]"), std::string::npos);
+    input = small_drum();
+    input.experiment.set("image_pixels", std::int64_t{8});
+    EXPECT_NE(refusal(input).find("at least"), std::string::npos);
+    input = small_drum();
+    input.experiment.set("samples_per_turn", std::int64_t{1000000});
+    EXPECT_NE(refusal(input).find("time steps of a turn"), std::string::npos);
+}
+
+TEST(Drum, SpeedAndFillMayBeGivenEitherWay)
+{
+    // The cost is particles times steps: it shows that both inputs mean the same drum.
+    auto const& drum = *rig::find_rig("drum");
+    auto input = small_drum();
+    double const cost = drum.predict_cost(input);
+    input.experiment.set("froude", 0.0);
+    input.experiment.set("speed_rpm", 30 / std::numbers::pi * std::sqrt(1e-2 * 9.81 / 0.01));
+    EXPECT_NEAR(drum.predict_cost(input), cost, 1e-9 * cost);
+    input.experiment.set("fill_fraction", 0.0);
+    input.experiment.set("solid_fraction", 0.0);
+    input.experiment.set("mass_kg", 0.4 * 0.58 * 2500 * std::numbers::pi * 1e-4 * 4e-3);
+    EXPECT_NEAR(drum.predict_cost(input), cost, 1e-9 * cost);
+}
+
+} // namespace
