@@ -1,5 +1,5 @@
 # Debian packages: libopenmpi-dev libhdf5-openmpi-dev libpetsc-real-dev libeigen3-dev libtomlplusplus-dev
-# libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev
+# libnlopt-cxx-dev libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev
 find_package(PkgConfig REQUIRED)
 find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
@@ -16,4 +16,5 @@ if(NOT HDF5_IS_PARALLEL)
 endif()
 
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt_cxx)
 pkg_check_modules(petsc REQUIRED IMPORTED_TARGET PETSc)

@@ -1,6 +1,6 @@
 #include "tao_calib/calibrate.hpp"
 
-#include "tao_calib/solver/pounders.hpp"
+#include "tao_calib/solver/solver_choice.hpp"
 #include "tao_calib/wave/analysis.hpp"
 #include "tao_calib/wave/plan.hpp"
 
@@ -92,14 +92,17 @@ CalibrationEnd calibrate(Session& session, MPI_Comm communicator,
     int rank = 0;
     MPI_Comm_rank(communicator, &rank);
     std::optional<PetscSession> petsc;
-    if (rank == 0)
+    std::unique_ptr<LeastSquaresSolver> solver;
+    if (rank == 0) {
         petsc.emplace();
+        solver = surrogate_solver(session.campaign().input.solver.kind, *petsc);
+    }
     while (session.campaign().ended.empty()) {
         if (has_runs_left(session.campaign()) && session.run_wave() == ensemble::WaveEnd::drained)
             return CalibrationEnd::drained;
         Decision decision;
         if (rank == 0)
-            decision = decide(session.campaign(), Pounders(*petsc));
+            decision = decide(session.campaign(), *solver);
         broadcast(decision.error, communicator);
         if (!decision.error.empty())
             throw std::runtime_error("the calibration cannot go on: " + decision.error);

@@ -1,11 +1,18 @@
 #include "tao_calib/objective.hpp"
 
+#include "demens/base/error.hpp"
+
 #include <cmath>
+#include <fmt/format.h>
 
 namespace demens::tao_calib {
 namespace {
 
+using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+constexpr double rounding = 1e-4; // of relative deviations about 0
 
 std::vector<CampaignTarget> targets_of(ensemble::CampaignInput const& input)
 {
@@ -21,12 +28,97 @@ std::vector<CampaignTarget> targets_of(ensemble::CampaignInput const& input)
 
 } // namespace
 
-Objective::Objective(ensemble::CampaignInput const& input) : Objective(targets_of(input)) {}
+Objective::Objective(ensemble::CampaignInput const& input) : Objective(targets_of(input), input.objective) {}
 
-Objective::Objective(std::vector<CampaignTarget> targets) : targets_(std::move(targets))
+Objective::Kind Objective::kind_of(std::string const& word)
 {
-    for (auto const& t : targets_)
-        weight_sum_ += 1 / (t.target.scale * t.target.scale);
+    if (word == "wmse")
+        return Kind::wmse;
+    if (word == "weighted_least_squares")
+        return Kind::weighted_least_squares;
+    if (word == "root_sum_of_squares")
+        return Kind::root_sum_of_squares;
+    if (word == "relative_deviations")
+        return Kind::relative_deviations;
+    throw InputError(fmt::format("[objective] kind = \"{}\" is not known; known are wmse, weighted_least_squares, "
+                                 "root_sum_of_squares, relative_deviations",
+                                 word));
+}
+
+Objective::Objective(std::vector<CampaignTarget> targets, ensemble::ObjectiveOptions const& options)
+    : targets_(std::move(targets)), kind_(kind_of(options.kind)),
+      combinations_(static_cast<Index>(options.combinations.size()), size()), wanted_(residual_count()),
+      units_(residual_count())
+{
+    VectorXd const sd = measurement_sd();
+    auto set = [&](Index place, int t) {
+        auto const& target = targets_[t].target;
+        wanted_[place] = target.value;
+        units_[place] = kind_ == Kind::wmse                     ? target.scale
+                        : kind_ == Kind::weighted_least_squares ? sd[t]
+                        : kind_ == Kind::root_sum_of_squares    ? 1.0
+                                                                : std::abs(target.value);
+    };
+    for (int t = 0; t < size(); ++t) {
+        set(t, t);
+        weight_sum_ += 1 / (targets_[t].target.scale * targets_[t].target.scale);
+    }
+    for (Index c = 0; c < combinations_.rows(); ++c) {
+        auto const& combination = options.combinations[static_cast<std::size_t>(c)];
+        combinations_.row(c) = VectorXd::Map(combination.coefficients.data(), size()).transpose();
+        set(size() + c, combination.target);
+    }
+}
+
+VectorXd Objective::deviations(VectorXd const& responses) const
+{
+    VectorXd all(residual_count());
+    all << responses, combinations_ * responses;
+    return (all - wanted_).cwiseQuotient(units_);
+}
+
+double Objective::value(VectorXd const& responses) const
+{
+    VectorXd const all = deviations(responses);
+    switch (kind_) {
+    case Kind::wmse:
+        return all.squaredNorm() / (size() * weight_sum_);
+    case Kind::weighted_least_squares:
+        return all.squaredNorm() / residual_count();
+    case Kind::root_sum_of_squares:
+        return all.norm();
+    case Kind::relative_deviations:
+        return all.cwiseAbs().sum();
+    }
+    return 0;
+}
+
+//! The size |d| of a relative deviation is the square of a residual that is rounded off near 0, r^2 = sqrt(d^2 +
+//! e^2) - e, and has the sign of d.
+VectorXd Objective::search_residuals(VectorXd const& responses) const
+{
+    VectorXd result = deviations(responses);
+    if (kind_ == Kind::relative_deviations)
+        for (double& d : result)
+            d = std::copysign(std::sqrt(std::hypot(d, rounding) - rounding), d);
+    return result;
+}
+
+MatrixXd Objective::search_slopes(VectorXd const& responses) const
+{
+    MatrixXd slopes(residual_count(), size());
+    slopes << MatrixXd::Identity(size(), size()), combinations_;
+    VectorXd factors = units_.cwiseInverse();
+    if (kind_ == Kind::relative_deviations) {
+        VectorXd const all = deviations(responses);
+        for (Index i = 0; i < all.size(); ++i) {
+            double const d = all[i], length = std::hypot(d, rounding);
+            double const root = std::sqrt(length - rounding);
+            factors[i] *= std::abs(d) > 1e-6 * rounding ? std::abs(d) / length / (2 * root)
+                                                        : 1 / std::sqrt(2 * rounding);
+        }
+    }
+    return factors.asDiagonal() * slopes;
 }
 
 VectorXd Objective::residuals(VectorXd const& responses) const
@@ -42,14 +134,9 @@ double Objective::mean_square_residual(VectorXd const& responses) const
     return residuals(responses).squaredNorm() / size();
 }
 
-double Objective::wmse_from(double sum_of_squares) const
-{
-    return sum_of_squares / (size() * weight_sum_);
-}
-
 double Objective::wmse(VectorXd const& responses) const
 {
-    return wmse_from(residuals(responses).squaredNorm());
+    return residuals(responses).squaredNorm() / (size() * weight_sum_);
 }
 
 bool Objective::within_tolerance(VectorXd const& responses) const

@@ -14,6 +14,41 @@ constexpr int inside_samples = 500;
 constexpr int level_samples = 2000;
 constexpr int most_level_choices = 12; // discrete factors whose two nearest levels are combined
 
+std::vector<int> free_of(VectorXd const& fixed)
+{
+    std::vector<int> free;
+    for (int k = 0; k < fixed.size(); ++k)
+        if (std::isnan(fixed[k]))
+            free.push_back(k);
+    return free;
+}
+
+//! The free factors and what the constraints leave to them.
+FactorSpace free_space(std::vector<Factor> const& factors,
+                       std::vector<ensemble::LinearConstraint> const& constraints, VectorXd const& fixed)
+{
+    auto const free = free_of(fixed);
+    std::vector<Factor> left;
+    for (int k : free)
+        left.push_back(factors[k]);
+    std::vector<ensemble::LinearConstraint> between;
+    for (auto const& constraint : constraints) {
+        ensemble::LinearConstraint rest{constraint.text, {}, constraint.bound};
+        bool binds = false;
+        for (std::size_t k = 0; k < factors.size(); ++k) {
+            double const value = fixed[static_cast<Eigen::Index>(k)], coefficient = constraint.coefficients[k];
+            if (std::isnan(value)) {
+                rest.coefficients.push_back(coefficient);
+                binds = binds || coefficient != 0;
+            } else
+                rest.bound -= coefficient * value;
+        }
+        if (binds)
+            between.push_back(std::move(rest));
+    }
+    return {left, between};
+}
+
 double to_unit(Factor const& factor, double value)
 {
     return factor.log_scale ? std::log(value / factor.lower) / std::log(factor.upper / factor.lower)
@@ -53,10 +88,16 @@ struct HalfSpace
     double bound;
 };
 
-HalfSpace in_shares(std::vector<Factor> const& factors, ensemble::LinearConstraint const& constraint)
+//! The constraint as far as the free factors can meet it.
+HalfSpace in_free_shares(std::vector<Factor> const& factors, ensemble::LinearConstraint const& constraint,
+                         VectorXd const& fixed)
 {
-    HalfSpace half{VectorXd(static_cast<Eigen::Index>(factors.size())), constraint.bound};
+    HalfSpace half{VectorXd::Zero(static_cast<Eigen::Index>(factors.size())), constraint.bound};
     for (std::size_t k = 0; k < factors.size(); ++k) {
+        if (double const value = fixed[static_cast<Eigen::Index>(k)]; !std::isnan(value)) {
+            half.bound -= constraint.coefficients[k] * value;
+            continue;
+        }
         half.normal[k] = constraint.coefficients[k] * (factors[k].upper - factors[k].lower);
         half.bound -= constraint.coefficients[k] * factors[k].lower;
     }
@@ -90,8 +131,12 @@ VectorXd nearest(VectorXd point, std::vector<HalfSpace> const& halves)
 
 } // namespace
 
-UnitCube::UnitCube(std::vector<Factor> factors, std::vector<ensemble::LinearConstraint> constraints)
-    : space_(factors, constraints), factors_(std::move(factors)), constraints_(std::move(constraints))
+UnitCube::UnitCube(std::vector<Factor> factors, std::vector<ensemble::LinearConstraint> constraints,
+                   std::vector<double> const& fixed)
+    : factors_(std::move(factors)), constraints_(std::move(constraints)),
+      fixed_(fixed.empty() ? VectorXd::Constant(size(), std::numeric_limits<double>::quiet_NaN())
+                           : VectorXd(VectorXd::Map(fixed.data(), size()))),
+      free_(free_of(fixed_)), space_(free_space(factors_, constraints_, fixed_))
 {
     inside_ = VectorXd::Constant(size(), 0.5);
     if (!constrained())
@@ -99,7 +144,22 @@ UnitCube::UnitCube(std::vector<Factor> factors, std::vector<ensemble::LinearCons
     inside_.setZero(); // the mean of feasible points is inside, since the region is convex in the factors
     RandomStream random(0);
     for (int i = 0; i < inside_samples; ++i)
-        inside_ += to_shares(factors_, space_.own_units(space_.sample(random))) / inside_samples;
+        inside_ += to_shares(factors_, with_fixed(space_.own_units(space_.sample(random)))) / inside_samples;
+}
+
+VectorXd UnitCube::with_fixed(VectorXd const& free_values) const
+{
+    VectorXd values = fixed_;
+    values(free_) = free_values;
+    return values;
+}
+
+VectorXd UnitCube::pinned(VectorXd unit) const
+{
+    for (int k = 0; k < size(); ++k)
+        if (!is_free(k))
+            unit[k] = tao_calib::to_unit(factors_[k], fixed_[k]);
+    return unit;
 }
 
 VectorXd UnitCube::to_unit(VectorXd const& values) const
@@ -114,7 +174,7 @@ VectorXd UnitCube::to_values(VectorXd const& unit) const
 {
     VectorXd values(size());
     for (int k = 0; k < size(); ++k)
-        values[k] = to_value(factors_[k], unit[k]);
+        values[k] = is_free(k) ? to_value(factors_[k], unit[k]) : fixed_[k];
     return values;
 }
 
@@ -133,12 +193,13 @@ bool UnitCube::feasible(VectorXd const& values) const
 
 VectorXd UnitCube::project(VectorXd const& unit) const
 {
-    VectorXd const clamped = unit.cwiseMax(0).cwiseMin(1);
+    VectorXd const clamped = pinned(unit.cwiseMax(0).cwiseMin(1));
     if (!constrained() || feasible(to_values(clamped)))
         return clamped;
     std::vector<HalfSpace> halves;
     for (auto const& constraint : constraints_)
-        halves.push_back(in_shares(factors_, constraint));
+        if (auto half = in_free_shares(factors_, constraint, fixed_); !half.normal.isZero())
+            halves.push_back(std::move(half));
     VectorXd const shares = nearest(to_shares(factors_, to_values(clamped)), halves);
     // The nearest point is on the edge but for rounding: the smallest step inwards that the exact check
     // accepts.
@@ -154,7 +215,8 @@ VectorXd UnitCube::sample(RandomStream& random) const
     constexpr int most_draws = 100000;
     for (int draw = 0; draw < most_draws; ++draw) {
         for (int k = 0; k < size(); ++k)
-            unit[k] = random.uniform();
+            unit[k] = is_free(k) ? random.uniform() : 0;
+        unit = pinned(unit);
         if (feasible(to_values(unit)))
             return unit;
     }
@@ -166,7 +228,7 @@ VectorXd UnitCube::on_levels(VectorXd const& values) const
 {
     std::vector<int> discrete;
     for (int k = 0; k < size(); ++k)
-        if (!factors_[k].levels.empty())
+        if (!factors_[k].levels.empty() && is_free(k))
             discrete.push_back(k);
     if (discrete.empty())
         return values;
@@ -194,7 +256,7 @@ VectorXd UnitCube::on_levels(VectorXd const& values) const
     }
     RandomStream random(0);
     for (int i = 0; i < level_samples && best.size() == 0; ++i)
-        consider(space_.own_units(space_.sample(random)));
+        consider(with_fixed(space_.own_units(space_.sample(random))));
     return best;
 }
 

@@ -4,6 +4,7 @@
 #include "tao_calib/design/factor_space.hpp"
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 namespace demens::tao_calib {
@@ -14,9 +15,16 @@ class UnitCube
 {
   public:
     //! \throws InputError when bounds or constraints contradict each other or leave no room.
-    UnitCube(std::vector<ensemble::Factor> factors, std::vector<ensemble::LinearConstraint> constraints);
+    //! \param fixed values that some factors keep, own units, NaN for free ones [k]; empty: all are free
+    UnitCube(std::vector<ensemble::Factor> factors, std::vector<ensemble::LinearConstraint> constraints,
+             std::vector<double> const& fixed = {});
 
-    int size() const { return space_.size(); }
+    int size() const { return static_cast<int>(factors_.size()); }
+    //! Factors that may vary.
+    std::vector<int> const& free_factors() const { return free_; }
+    bool is_free(int factor) const { return std::isnan(fixed_[factor]); }
+    //! The point with all fixed factors at their values.
+    Eigen::VectorXd pinned(Eigen::VectorXd unit) const;
     bool constrained() const { return !constraints_.empty(); }
 
     //! Place in the cube of values in own units.
@@ -37,10 +45,13 @@ class UnitCube
 
   private:
     Eigen::VectorXd on_levels(Eigen::VectorXd const& values) const;
+    Eigen::VectorXd with_fixed(Eigen::VectorXd const& free_values) const;
 
-    FactorSpace space_;
     std::vector<ensemble::Factor> factors_;
     std::vector<ensemble::LinearConstraint> constraints_;
+    Eigen::VectorXd fixed_; //!< [k] own units, NaN for free factors
+    std::vector<int> free_;
+    FactorSpace space_; //!< of the free factors
     Eigen::VectorXd inside_; //!< shares of the ranges at a point well inside the feasible region
 };
 

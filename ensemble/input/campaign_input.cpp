@@ -3,6 +3,7 @@
 #include "ensemble/input/base_input.hpp"
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/nearest.hpp"
+#include "ensemble/input/objective_input.hpp"
 #include "ensemble/input/resolved_text.hpp"
 #include "ensemble/input/section.hpp"
 #include "ensemble/input/toml_file.hpp"
@@ -35,7 +36,7 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     auto const parsed = input::parse_toml(toml, origin);
     input::InputTable const file(parsed, "", origin);
     file.allow_only({"campaign", "material", "contact", "size_distribution", "experiment", "factor",
-                     "constraint", "design", "surrogate", "solver", "stop", "run"});
+                     "constraint", "screening", "design", "objective", "surrogate", "solver", "stop", "run"});
 
     CampaignInput campaign;
     auto const header = file.table("campaign").read(input::campaign_options());
@@ -48,6 +49,12 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     campaign.factors = input::read_factors(file, *tree, campaign.experiments);
     campaign.constraints = input::read_constraints(file, *tree, campaign.experiments, campaign.factors);
 
+    auto const screening = file.table("screening");
+    read_section(screening, input::keys_of(input::screening_lists()), campaign.screening);
+    campaign.screening.generators = screening.words("generators");
+    auto const objective = file.table("objective");
+    read_section(objective, input::keys_of(input::objective_lists()), campaign.objective);
+    campaign.objective.combinations = input::read_combinations(objective, campaign.experiments);
     auto const design = file.table("design");
     read_section(design, input::keys_of(input::design_lists()), campaign.design);
     campaign.design.generators = design.words("generators");

@@ -4,6 +4,7 @@
 #include "ensemble/input/file_source.hpp"
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct Target
     double scale;         //!< the deviation that counts as one, same unit, > 0
     double sd;            //!< standard deviation of the measurement; NaN: not given
     double tolerance;     //!< deviation that is good enough; NaN: not given
+    std::string transform = "none"; //!< in which the response is fitted: none, log, logit, asinh
+    double lower = std::numeric_limits<double>::quiet_NaN(); //!< range of the response, for logit
+    double upper = std::numeric_limits<double>::quiet_NaN();
 };
 
 //! One rig under one set of conditions, with what was measured there.
@@ -38,6 +42,8 @@ struct Factor
     double lower, upper;
     bool log_scale = false;
     std::vector<double> levels = {}; //!< the only values it may take, ascending; empty: continuous
+    //! value when screening finds it inactive; NaN: the middle of its range
+    double inactive_value = std::numeric_limits<double>::quiet_NaN();
 };
 
 //! sum_k coefficients[k] * factor[k] <= bound, in the factors' own units.
@@ -63,9 +69,33 @@ struct DesignOptions
         table; //!< rows of factor values: `kind = "table"`, or kept by a D-optimal design
 };
 
+//! A wave before the design that finds out which factors act.
+struct ScreeningOptions
+{
+    int points = 0;             //!< of a two-level fraction over all factors; 0: no screening
+    int centre_repetitions = 1; //!< points at the centre
+    double significance = 0.05; //!< a factor with a p value up to this in some target is active
+    std::vector<std::string> generators; //!< e.g. "E=ABC"; empty: chosen
+};
+
+//! A further residual: a sum of simulated responses less the value of a target.
+struct TargetCombination
+{
+    std::string text;                 //!< as written, e.g. `break - rest = avalanche`
+    std::vector<double> coefficients; //!< of all targets, in the order of the campaign
+    int target;                       //!< whose value the sum should have
+};
+
+struct ObjectiveOptions
+{
+    std::string kind =
+        "wmse"; //!< wmse, weighted_least_squares, root_sum_of_squares, relative_deviations
+    std::vector<TargetCombination> combinations;
+};
+
 struct SurrogateOptions
 {
-    std::string kind = "rbf"; //!< quadratic, rbf
+    std::string kind = "rbf"; //!< quadratic, rbf, gaussian_process, auto
 };
 
 struct SolverOptions
@@ -110,7 +140,9 @@ class CampaignInput
     std::vector<Experiment> experiments;
     std::vector<Factor> factors;
     std::vector<LinearConstraint> constraints;
+    ScreeningOptions screening;
     DesignOptions design;
+    ObjectiveOptions objective;
     SurrogateOptions surrogate;
     SolverOptions solver;
     StopOptions stop;

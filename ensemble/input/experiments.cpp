@@ -29,6 +29,24 @@ rig::RigInfo const& rig_of(InputTable const& table, std::vector<rig::RigInfo> co
     throw table.error("rig", "there is no such rig; " + suggestion(name, names));
 }
 
+//! A transform and what it needs fit together.
+void check_transform(InputTable const& table, Target const& target)
+{
+    bool const bounded = target.transform == "logit";
+    for (char const* key : {"lower", "upper"})
+        if (table.has(key) != bounded)
+            throw table.error(table.has(key) ? key : "transform",
+                              bounded ? fmt::format("transform = \"logit\" needs lower and upper, the range of "
+                                                    "the response; {} is missing",
+                                                    key)
+                                      : "is used by transform = \"logit\" alone; leave it out");
+    if (bounded && !(target.lower < target.value && target.value < target.upper))
+        throw table.error("value", fmt::format("must be between lower = {} and upper = {}", target.lower,
+                                               target.upper));
+    if (target.transform == "log" && !(target.value > 0))
+        throw table.error("value", "must be greater than 0 for transform = \"log\"");
+}
+
 std::vector<Target> read_targets(InputTable const& targets, std::string const& rig,
                                  std::vector<rig::ResponseInfo> const& infos)
 {
@@ -42,9 +60,12 @@ std::vector<Target> read_targets(InputTable const& targets, std::string const& r
         if (found == responses.end())
             throw targets.error(name, fmt::format("the rig {} has no such response; {}", rig,
                                                   suggestion(name, responses)));
-        auto const values = targets.table(name).read(target_options());
+        auto const table = targets.table(name);
+        auto const values = table.read(target_options());
         read.push_back({name, static_cast<int>(found - responses.begin()), values.number("value"),
-                        values.number("scale"), values.number("sd"), values.number("tolerance")});
+                        values.number("scale"), values.number("sd"), values.number("tolerance"),
+                        values.text("transform"), values.number("lower"), values.number("upper")});
+        check_transform(table, read.back());
     }
     return read;
 }

@@ -95,6 +95,10 @@ std::vector<Factor> read_factors(InputTable const& file, BaseInput& base,
         factor.log_scale = values.text("scale") == "log";
         read_range(table, values, factor);
         check_bounds(table, factor, resolved.spec);
+        factor.inactive_value = values.number("inactive_value");
+        if (table.has("inactive_value") && !(factor.inactive_value >= factor.lower && factor.inactive_value <= factor.upper))
+            throw table.error("inactive_value", fmt::format("must be between lower = {} and upper = {}",
+                                                            factor.lower, factor.upper));
         check_different(table, factors, factor, base, resolved.places);
         factors.push_back(std::move(factor));
         base.factor_places.push_back(resolved.places);

@@ -66,6 +66,12 @@ std::vector<OptionSpec> const& target_options()
          .default_value = not_given,
          .doc = "deviation that is good enough, same unit",
          .lower = 0},
+        {.key = "transform",
+         .default_value = std::string("none"),
+         .doc = "monotone function in which the response is fitted",
+         .choices = {"none", "log", "logit", "asinh"}},
+        {.key = "lower", .default_value = not_given, .doc = "least possible value, for logit; same unit"},
+        {.key = "upper", .default_value = not_given, .doc = "largest possible value, for logit; same unit"},
     };
     return specs;
 }
@@ -86,6 +92,9 @@ std::vector<OptionSpec> const& factor_options()
          .default_value = std::string("linear"),
          .doc = "whether equal steps or equal ratios count the same",
          .choices = {"linear", "log"}},
+        {.key = "inactive_value",
+         .default_value = not_given,
+         .doc = "value when screening finds it inactive; not given: the middle of its range"},
     };
     return specs;
 }
@@ -117,6 +126,23 @@ std::vector<ListSpec> const& factor_lists()
 {
     static std::vector<ListSpec> const specs = {
         {"levels", "numbers", "the only values it may take, ascending; lower and upper may then be left out"},
+    };
+    return specs;
+}
+
+std::vector<ListSpec> const& screening_lists()
+{
+    static std::vector<ListSpec> const specs = {
+        {"generators", "words", "words such as \"E=ABC\"; none: chosen for the best resolution"},
+    };
+    return specs;
+}
+
+std::vector<ListSpec> const& objective_lists()
+{
+    static std::vector<ListSpec> const specs = {
+        {"combinations", "words",
+         "further residuals, e.g. \"break - rest = avalanche\": simulated on the left, the target on the right"},
     };
     return specs;
 }
@@ -160,7 +186,12 @@ std::vector<SectionInfo> const& all_sections()
          target_options()},
         {"[[factor]]", "a number of the input that is to be found", factor_options(), factor_lists()},
         {"[[constraint]]", "what the factors must satisfy together", constraint_options()},
-        {"[design]", "the first wave of runs", specs_of<DesignOptions>(), design_lists()},
+        {"[screening]", "a wave before the design that finds out which factors act",
+         specs_of<ScreeningOptions>(), screening_lists()},
+        {"[design]", "the first wave of runs, after the screening if there is one", specs_of<DesignOptions>(),
+         design_lists()},
+        {"[objective]", "how far off the simulated responses are", specs_of<ObjectiveOptions>(),
+         objective_lists()},
         {"[surrogate]", "what stands in for the simulation during the search", specs_of<SurrogateOptions>()},
         {"[solver]", "how the next waves are chosen", specs_of<SolverOptions>()},
         {"[stop]", "when the campaign ends: at the first of these", specs_of<StopOptions>()},

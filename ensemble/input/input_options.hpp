@@ -32,6 +32,8 @@ std::vector<OptionSpec> const& factor_options();
 std::vector<OptionSpec> const& constraint_options();
 std::vector<ListSpec> const& size_distribution_lists();
 std::vector<ListSpec> const& factor_lists();
+std::vector<ListSpec> const& screening_lists();
+std::vector<ListSpec> const& objective_lists();
 std::vector<ListSpec> const& design_lists();
 
 //! Kinds of design that use a key of `[design]`; none: all kinds.

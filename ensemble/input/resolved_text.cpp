@@ -113,6 +113,9 @@ void write_experiment(Writer& out, Experiment const& experiment, OptionValues co
         values.set("scale", target.scale);
         values.set("sd", target.sd);
         values.set("tolerance", target.tolerance);
+        values.set("transform", target.transform);
+        values.set("lower", target.lower);
+        values.set("upper", target.upper);
         std::string members;
         for (auto const& spec : target_options())
             if (auto const& value = values.all().at(spec.key); !is_absent(value))
@@ -132,6 +135,7 @@ void write_factor(Writer& out, Factor const& factor)
     values.set("lower", factor.lower);
     values.set("upper", factor.upper);
     values.set("scale", std::string(factor.log_scale ? "log" : "linear"));
+    values.set("inactive_value", factor.inactive_value);
     out.options(factor_options(), values);
     if (!factor.levels.empty())
         out.lists(factor_lists(), {{"levels", list(factor.levels, number_text)}});
@@ -156,6 +160,21 @@ void write_design(Writer& out, DesignOptions const& design)
     out.lists(design_lists(), lists);
 }
 
+void write_screening(Writer& out, ScreeningOptions const& screening)
+{
+    out.section("screening", screening);
+    if (!screening.generators.empty())
+        out.lists(screening_lists(), {{"generators", list(screening.generators, quoted)}});
+}
+
+void write_objective(Writer& out, ObjectiveOptions const& objective)
+{
+    out.section("objective", objective);
+    auto const text = [](TargetCombination const& combination) { return quoted(combination.text); };
+    if (!objective.combinations.empty())
+        out.lists(objective_lists(), {{"combinations", list(objective.combinations, text)}});
+}
+
 } // namespace
 
 std::string resolved_text(CampaignInput const& input, BaseInput const& base)
@@ -177,7 +196,9 @@ std::string resolved_text(CampaignInput const& input, BaseInput const& base)
         values.set("expression", constraint.text);
         out.options(constraint_options(), values);
     }
+    write_screening(out, input.screening);
     write_design(out, input.design);
+    write_objective(out, input.objective);
     out.section("surrogate", input.surrogate);
     out.section("solver", input.solver);
     out.section("stop", input.stop);

@@ -24,6 +24,10 @@ std::vector<Field<Section>> const& fields_of();
 template <>
 std::vector<Field<DesignOptions>> const& fields_of();
 template <>
+std::vector<Field<ScreeningOptions>> const& fields_of();
+template <>
+std::vector<Field<ObjectiveOptions>> const& fields_of();
+template <>
 std::vector<Field<SurrogateOptions>> const& fields_of();
 template <>
 std::vector<Field<SolverOptions>> const& fields_of();

@@ -30,12 +30,43 @@ std::vector<Field<DesignOptions>> const& fields_of()
 }
 
 template <>
+std::vector<Field<ScreeningOptions>> const& fields_of()
+{
+    static std::vector<Field<ScreeningOptions>> const fields = {
+        field(&ScreeningOptions::points,
+              {.key = "points",
+               .doc = "points of a two-level fraction over all factors, a power of 2; 0: no screening",
+               .lower = 0}),
+        field(&ScreeningOptions::centre_repetitions,
+              {.key = "centre_repetitions", .doc = "further points at the centre", .lower = 0}),
+        field(&ScreeningOptions::significance,
+              {.key = "significance",
+               .doc = "a factor whose p value is at most this for some target is active",
+               .lower = 1e-6,
+               .upper = 0.5}),
+    };
+    return fields;
+}
+
+template <>
+std::vector<Field<ObjectiveOptions>> const& fields_of()
+{
+    static std::vector<Field<ObjectiveOptions>> const fields = {
+        field(&ObjectiveOptions::kind,
+              {.key = "kind",
+               .doc = "what is minimised",
+               .choices = {"wmse", "weighted_least_squares", "root_sum_of_squares", "relative_deviations"}}),
+    };
+    return fields;
+}
+
+template <>
 std::vector<Field<SurrogateOptions>> const& fields_of()
 {
     static std::vector<Field<SurrogateOptions>> const fields = {
         field(&SurrogateOptions::kind, {.key = "kind",
                                         .doc = "model of each response between the runs",
-                                        .choices = {"quadratic", "rbf"}}),
+                                        .choices = {"quadratic", "rbf", "gaussian_process", "auto"}}),
     };
     return fields;
 }
@@ -45,7 +76,10 @@ std::vector<Field<SolverOptions>> const& fields_of()
 {
     static std::vector<Field<SolverOptions>> const fields = {
         field(&SolverOptions::kind,
-              {.key = "kind", .doc = "search on the surrogate", .choices = {"pounders"}}),
+              {.key = "kind",
+               .doc = "how the next points are found",
+               .choices = {"pounders", "quasi_newton", "bobyqa", "praxis", "simplex", "genetic",
+                           "rbf_distance", "response_surface", "expected_improvement", "pounders_direct"}}),
         field(&SolverOptions::starts,
               {.key = "starts", .doc = "starts of the search on the surrogate", .lower = 1}),
         field(&SolverOptions::batch,

@@ -75,6 +75,38 @@ void check_budget(InputTable const& design, InputTable const& stop, CampaignInpu
                         points, static_cast<long>(points) * runs_per_point, runs_per_point, input.stop.runs));
 }
 
+//! A two-level fraction needs a power of two, and a following design that can be made in fewer factors.
+void check_screening(InputTable const& screening, CampaignInput const& input)
+{
+    int const points = input.screening.points;
+    if (points == 0) {
+        for (auto const& key : screening.keys())
+            if (key != "points")
+                throw screening.error(key, "is used with points > 0 alone, the number of points to screen with");
+        return;
+    }
+    if (points < 4 || (points & (points - 1)) != 0)
+        throw screening.error("points", "must be a power of 2 from 4 on, such as 16");
+    if (points <= static_cast<int>(input.factors.size()))
+        throw screening.error("points", fmt::format("cannot tell the {} factors apart; it must be more than {}",
+                                                    input.factors.size(), input.factors.size()));
+    if (!input.design.table.empty())
+        throw screening.error("points", "cannot go before a [design] with a table, whose rows are made for all "
+                                        "factors; leave one of them out");
+}
+
+void check_objective(InputTable const& objective, CampaignInput const& input)
+{
+    if (input.objective.kind != "relative_deviations")
+        return;
+    for (auto const& experiment : input.experiments)
+        for (auto const& target : experiment.targets)
+            if (target.value == 0)
+                throw objective.error("kind", fmt::format("relative deviations need targets other than 0, but that of "
+                                                          "{}.{} is 0",
+                                                          experiment.name, target.response));
+}
+
 //! Corners of the box of factors; of many factors only a few points on its faces.
 std::vector<Point> extreme_points(std::vector<Factor> const& factors)
 {
@@ -124,6 +156,8 @@ std::string refusal(CampaignInput const& input, BaseInput const& base, std::size
 void check_sections(InputTable const& file, CampaignInput const& input)
 {
     auto const design = file.table("design");
+    check_screening(file.table("screening"), input);
+    check_objective(file.table("objective"), input);
     check_design(design, input);
     check_budget(design, file.table("stop"), input);
 }

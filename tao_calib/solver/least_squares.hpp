@@ -12,6 +12,8 @@ struct LeastSquaresProblem
     int factors = 0;
     int residuals = 0;
     std::function<Eigen::VectorXd(Eigen::VectorXd const&)> evaluate; //!< residuals at a point of the cube
+    //! their slopes there [residuals x factors]; empty: not known
+    std::function<Eigen::MatrixXd(Eigen::VectorXd const&)> jacobian = {};
 };
 
 struct LeastSquaresSettings
@@ -30,7 +32,7 @@ struct LeastSquaresResult
     std::string ending;     //!< in words
 };
 
-//! A local, derivative-free solver.
+//! Minimises from a start on; most solvers are local.
 class LeastSquaresSolver
 {
   public:

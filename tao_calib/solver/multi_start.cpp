@@ -8,16 +8,33 @@ namespace {
 
 using Eigen::VectorXd;
 
-//! The problem with its domain widened from the feasible part to the whole cube.
+//! The whole point of values of the free factors.
+VectorXd whole(UnitCube const& cube, VectorXd const& free)
+{
+    VectorXd unit = VectorXd::Zero(cube.size());
+    unit(cube.free_factors()) = free;
+    return cube.pinned(unit);
+}
+
+//! The problem in the free factors alone, its domain widened from the feasible part to the whole cube.
 LeastSquaresProblem widened(LeastSquaresProblem const& problem, UnitCube const& cube, double distance_weight)
 {
-    if (!cube.constrained())
-        return problem;
-    return {problem.factors, problem.residuals + problem.factors,
-            [&problem, &cube, distance_weight](VectorXd const& x) {
-                VectorXd const feasible = cube.project(x);
-                VectorXd residuals(problem.residuals + problem.factors);
-                residuals << problem.evaluate(feasible), distance_weight * (x - feasible);
+    int const free = static_cast<int>(cube.free_factors().size());
+    if (!cube.constrained()) {
+        LeastSquaresProblem reduced{free, problem.residuals,
+                                    [&](VectorXd const& x) { return problem.evaluate(whole(cube, x)); }};
+        if (problem.jacobian)
+            reduced.jacobian = [&](VectorXd const& x) {
+                return Eigen::MatrixXd(problem.jacobian(whole(cube, x))(Eigen::all, cube.free_factors()));
+            };
+        return reduced;
+    }
+    return {free, problem.residuals + free,
+            [&problem, &cube, distance_weight, free](VectorXd const& x) {
+                VectorXd const feasible = cube.project(whole(cube, x));
+                VectorXd residuals(problem.residuals + free);
+                residuals << problem.evaluate(feasible),
+                    distance_weight * (x - feasible(cube.free_factors()));
                 return residuals;
             }};
 }
@@ -41,8 +58,9 @@ std::vector<LocalMinimum> distinct_minima(LeastSquaresSolver const& solver,
         VectorXd const feasible = cube.project(start);
         double const size = problem.evaluate(feasible).norm();
         double const distance_weight = std::clamp(size, 1.0, 100.0);
-        auto const result = solver.minimise(widened(problem, cube, distance_weight), feasible, {});
-        VectorXd const point = cube.project(result.point);
+        auto const result = solver.minimise(widened(problem, cube, distance_weight),
+                                            feasible(cube.free_factors()), {});
+        VectorXd const point = cube.project(whole(cube, result.point));
         all.push_back({point, problem.evaluate(point).squaredNorm()});
     }
     std::stable_sort(all.begin(), all.end(),

@@ -1,11 +1,12 @@
 #include "tao_calib/solver/pounders.hpp"
 
+#include "tao_calib/solver/tao_handles.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <fmt/format.h>
 #include <limits>
-#include <petsctao.h>
 #include <stdexcept>
 
 namespace demens::tao_calib {
@@ -15,23 +16,6 @@ using Eigen::VectorXd;
 
 //! Stands for a residual that is not a number; POUNDERS cannot take one.
 constexpr double failed_residual = 1e10;
-
-//! Handles that PETSc destroys, released in any case and before it is finalised.
-struct Handles
-{
-    ~Handles()
-    {
-        (void)TaoDestroy(&tao);
-        (void)VecDestroy(&point);
-        (void)VecDestroy(&residuals);
-        (void)VecDestroy(&lower);
-        (void)VecDestroy(&upper);
-        (void)PetscOptionsDestroy(&options);
-    }
-    Tao tao = nullptr;
-    Vec point = nullptr, residuals = nullptr, lower = nullptr, upper = nullptr;
-    PetscOptions options = nullptr;
-};
 
 //! POUNDERS needs room for its first step, x + radius, below the upper bound. Coordinates that start in the
 //! upper half are therefore mirrored, which leaves room of half the cube everywhere.
@@ -98,7 +82,7 @@ PetscErrorCode solve(Context& context, VectorXd const& start, LeastSquaresSettin
                      TaoConvergedReason& reason)
 {
     PetscFunctionBeginUser;
-    Handles h;
+    TaoHandles h;
     int const k = context.problem.factors;
     PetscCall(VecCreateSeq(PETSC_COMM_SELF, k, &h.point));
     PetscCall(VecCreateSeq(PETSC_COMM_SELF, context.problem.residuals, &h.residuals));
@@ -129,26 +113,6 @@ PetscErrorCode solve(Context& context, VectorXd const& start, LeastSquaresSettin
     PetscCall(TaoSolve(h.tao));
     PetscCall(TaoGetConvergedReason(h.tao, &reason));
     PetscFunctionReturn(0);
-}
-
-std::string in_words(TaoConvergedReason reason)
-{
-    switch (reason) {
-    case TAO_CONVERGED_GATOL:
-    case TAO_CONVERGED_GRTOL:
-    case TAO_CONVERGED_GTTOL:
-        return "the gradient vanished";
-    case TAO_CONVERGED_STEPTOL:
-        return "the trust region became small";
-    case TAO_CONVERGED_MINF:
-        return "the sum of squares vanished";
-    case TAO_DIVERGED_MAXFCN:
-        return "the budget of evaluations was spent";
-    case TAO_DIVERGED_MAXITS:
-        return "the budget of iterations was spent";
-    default:
-        return fmt::format("PETSc TAO reason {}", static_cast<int>(reason));
-    }
 }
 
 } // namespace

@@ -1,12 +1,15 @@
 #include "tao_calib/surrogate/surrogate.hpp"
 
 #include "demens/base/error.hpp"
+#include "tao_calib/surrogate/gaussian_process.hpp"
 #include "tao_calib/surrogate/polynomial.hpp"
 #include "tao_calib/surrogate/radial_basis.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
+#include <map>
 
 namespace demens::tao_calib {
 
@@ -40,17 +43,66 @@ double leave_one_out_rmse(Surrogate const& surrogate, Samples const& samples)
                      samples.weights.sum());
 }
 
+namespace {
+
+std::unique_ptr<Surrogate> fit_polynomial(Samples const& samples)
+{
+    return Polynomial::best_up_to(SurrogateKind::quadratic, samples);
+}
+
+std::unique_ptr<Surrogate> fit_radial_basis(Samples const& samples)
+{
+    if (RadialBasis::can_fit(samples))
+        return std::make_unique<RadialBasis>(samples);
+    return Polynomial::best_up_to(SurrogateKind::linear, samples);
+}
+
+std::unique_ptr<Surrogate> fit_gaussian_process(Samples const& samples)
+{
+    if (GaussianProcess::can_fit(samples))
+        return std::make_unique<GaussianProcess>(samples);
+    return Polynomial::best_up_to(SurrogateKind::linear, samples);
+}
+
+//! Simple ones first: a later one has to predict better.
+std::unique_ptr<Surrogate> fit_best(Samples const& samples)
+{
+    auto best = fit_polynomial(samples);
+    for (auto const& fit : {fit_radial_basis, fit_gaussian_process}) {
+        auto candidate = fit(samples);
+        if (leave_one_out_rmse(*candidate, samples) < leave_one_out_rmse(*best, samples))
+            best = std::move(candidate);
+    }
+    return best;
+}
+
+std::map<std::string, std::unique_ptr<Surrogate> (*)(Samples const&)> const fits = {
+    {"auto", fit_best},
+    {"gaussian_process", fit_gaussian_process},
+    {"quadratic", fit_polynomial},
+    {"rbf", fit_radial_basis},
+};
+
+} // namespace
+
+std::vector<std::string> const& surrogate_kinds()
+{
+    static std::vector<std::string> const kinds = [] {
+        std::vector<std::string> words;
+        for (auto const& [word, fit] : fits)
+            words.push_back(word);
+        return words;
+    }();
+    return kinds;
+}
+
 std::unique_ptr<Surrogate> fit_surrogate(std::string const& kind, Samples const& samples)
 {
-    if (kind == "quadratic")
-        return Polynomial::best_up_to(SurrogateKind::quadratic, samples);
-    if (kind == "rbf") {
-        if (RadialBasis::can_fit(samples))
-            return std::make_unique<RadialBasis>(samples);
-        return Polynomial::best_up_to(SurrogateKind::linear, samples);
-    }
-    throw InputError(
-        fmt::format("[surrogate] kind = \"{}\" is not known; known are quadratic and rbf", kind));
+    auto const found = fits.find(kind);
+    if (found == fits.end())
+        throw InputError(fmt::format("[surrogate] kind = \"{}\" is not known; known are {}", kind,
+                                     fmt::join(surrogate_kinds(), ", ")));
+    return found->second(samples);
 }
 
 } // namespace demens::tao_calib

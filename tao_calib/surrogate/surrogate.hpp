@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace demens::tao_calib {
 
@@ -12,6 +13,8 @@ struct Samples
     Eigen::MatrixXd points;  //!< [n x k] unit cube
     Eigen::VectorXd values;  //!< [n] mean response of the runs at each location
     Eigen::VectorXd weights; //!< [n] number of runs behind each mean
+    //! [n] summed squares of the runs about each mean; empty: not known
+    Eigen::VectorXd squared_deviations = {};
 };
 
 //! Kinds by their number in the campaign file.
@@ -46,7 +49,11 @@ class Surrogate
 //! Root mean square of the leave-one-out errors, each location counting by its weight.
 double leave_one_out_rmse(Surrogate const& surrogate, Samples const& samples);
 
-//! Fits the surrogate of that name ("quadratic", "rbf"), or a simpler one where the samples do not suffice.
+//! Words that `[surrogate] kind` may be.
+std::vector<std::string> const& surrogate_kinds();
+
+//! Fits the surrogate of that name, or a simpler one where the samples do not suffice. "auto" takes the one with
+//! the smallest leave-one-out error.
 std::unique_ptr<Surrogate> fit_surrogate(std::string const& kind, Samples const& samples);
 
 } // namespace demens::tao_calib

@@ -135,6 +135,8 @@ void add_best(Arrays& arrays, Objective const& objective, Location const& best)
                   "weighted mean square error there, over all targets of all experiments");
     arrays.number("optimum/mean_square_residual", objective.mean_square_residual(best.responses), "1",
                   "mean of ((simulated - target)/scale)^2 there");
+    arrays.number("optimum/objective", objective.value(best.responses), "mixed",
+                  "what [objective] asks to be minimised, there");
 }
 
 void add_prediction(Arrays& arrays, Assessment const& assessment)
@@ -146,7 +148,7 @@ void add_prediction(Arrays& arrays, Assessment const& assessment)
                   "by target, in its unit: predicted there");
     arrays.vector("optimum/predicted_sd", assessment.prediction_sd(minimum.point), "mixed",
                   "by target, in its unit: standard deviation of the prediction there");
-    arrays.number("optimum/predicted_wmse", assessment.objective().wmse_from(minimum.sum_of_squares), "mixed",
+    arrays.number("optimum/predicted_wmse", assessment.objective().wmse(assessment.predict(minimum.point)), "mixed",
                   "predicted weighted mean square error there");
 }
 

@@ -1,15 +1,29 @@
 #include "tao_calib/wave/assessment.hpp"
 
+#include "tao_calib/surrogate/transform.hpp"
+
 #include <algorithm>
 
 namespace demens::tao_calib {
 namespace {
 
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr std::uint64_t starts_stream = 0x737461727473; // "starts"
 constexpr std::size_t starts_at_locations = 3;          // of the best simulated locations
 constexpr double distinct_separation = 0.05;            // between minima, in shares of the ranges
+
+Transform transform_of(ensemble::Target const& target)
+{
+    if (target.transform == "log")
+        return Transform::logarithm(target.scale);
+    if (target.transform == "logit")
+        return Transform::logit(target.lower, target.upper);
+    if (target.transform == "asinh")
+        return Transform::area_sine(target.value, target.scale);
+    return {};
+}
 
 } // namespace
 
@@ -21,7 +35,15 @@ Assessment::Assessment(ensemble::Campaign const& campaign, LeastSquaresSolver co
         return;
     for (int t = 0; t < objective_.size(); ++t) {
         samples_.push_back(locations_.samples(t));
-        surrogates_.push_back(fit_surrogate(campaign.input.surrogate.kind, samples_.back()));
+        auto const transform = transform_of(objective_.targets()[t].target);
+        if (transform.is_identity()) {
+            surrogates_.push_back(fit_surrogate(campaign.input.surrogate.kind, samples_.back()));
+            continue;
+        }
+        surrogates_.push_back(std::make_unique<TransformedSurrogate>(
+            transform,
+            fit_surrogate(campaign.input.surrogate.kind, transformed(transform, samples_.back())),
+            samples_.back()));
     }
 
     auto const ranked = locations_.ranked();
@@ -32,9 +54,12 @@ Assessment::Assessment(ensemble::Campaign const& campaign, LeastSquaresSolver co
     auto const spread = spread_points(
         cube_, std::max(1, campaign.input.solver.starts - static_cast<int>(starts.size())), starts, seed);
     starts.insert(starts.end(), spread.begin(), spread.end());
-    LeastSquaresProblem const problem{cube_.size(), objective_.size(), [this](VectorXd const& unit) {
-                                          return objective_.residuals(predict(unit));
-                                      }};
+    LeastSquaresProblem const problem{
+        cube_.size(), objective_.residual_count(),
+        [this](VectorXd const& unit) { return objective_.search_residuals(predict(unit)); },
+        [this](VectorXd const& unit) {
+            return MatrixXd(objective_.search_slopes(predict(unit)) * response_slopes(unit));
+        }};
     minima_ = distinct_minima(solver, problem, cube_, starts, distinct_separation);
 }
 
@@ -44,6 +69,14 @@ VectorXd Assessment::predict(VectorXd const& unit) const
     for (int t = 0; t < objective_.size(); ++t)
         responses[t] = surrogates_[t]->value(unit);
     return responses;
+}
+
+MatrixXd Assessment::response_slopes(VectorXd const& unit) const
+{
+    MatrixXd slopes(objective_.size(), unit.size());
+    for (int t = 0; t < objective_.size(); ++t)
+        slopes.row(t) = surrogates_[t]->gradient(unit).transpose();
+    return slopes;
 }
 
 VectorXd Assessment::prediction_sd(VectorXd const& unit) const

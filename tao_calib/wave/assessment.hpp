@@ -30,9 +30,11 @@ class Assessment
     Samples const& samples(int target) const { return samples_[target]; }
     //! Predicted responses of all targets at a point of the unit cube [m].
     Eigen::VectorXd predict(Eigen::VectorXd const& unit) const;
+    //! Slopes of predict() [m x k].
+    Eigen::MatrixXd response_slopes(Eigen::VectorXd const& unit) const;
     //! Standard deviations of predict() [m].
     Eigen::VectorXd prediction_sd(Eigen::VectorXd const& unit) const;
-    //! Distinct minima of the predicted weighted mean square error, best first; at least one.
+    //! Distinct minima of the predicted objective, best first; at least one.
     std::vector<LocalMinimum> const& minima() const { return minima_; }
 
   private:

@@ -78,7 +78,7 @@ std::vector<Location const*> Locations::ranked() const
         if (location.complete())
             result.push_back(&location);
     std::stable_sort(result.begin(), result.end(), [&](auto const* a, auto const* b) {
-        return objective_->wmse(a->responses) < objective_->wmse(b->responses);
+        return objective_->value(a->responses) < objective_->value(b->responses);
     });
     return result;
 }
@@ -88,7 +88,7 @@ Location const* Locations::best() const
     Location const* best = nullptr;
     for (auto const& location : locations_)
         if (location.complete() &&
-            (!best || objective_->wmse(location.responses) < objective_->wmse(best->responses)))
+            (!best || objective_->value(location.responses) < objective_->value(best->responses)))
             best = &location;
     return best;
 }
@@ -100,11 +100,12 @@ Samples Locations::samples(int target) const
         if (location.runs[target] > 0)
             used.push_back(&location);
     auto const n = static_cast<Eigen::Index>(used.size());
-    Samples samples{Eigen::MatrixXd(n, cube_->size()), VectorXd(n), VectorXd(n)};
+    Samples samples{Eigen::MatrixXd(n, cube_->size()), VectorXd(n), VectorXd(n), VectorXd(n)};
     for (Eigen::Index i = 0; i < n; ++i) {
         samples.points.row(i) = used[i]->unit.transpose();
         samples.values[i] = used[i]->responses[target];
         samples.weights[i] = used[i]->runs[target];
+        samples.squared_deviations[i] = used[i]->squared_deviations[target];
     }
     return samples;
 }

@@ -38,7 +38,7 @@ class Locations
     int complete() const;
     int finished_runs() const { return finished_runs_; }
     int failed_runs() const { return failed_runs_; }
-    //! The complete location with the smallest weighted mean square error, or null.
+    //! The complete location with the smallest objective, or null.
     Location const* best() const;
     //! Complete locations, best first.
     std::vector<Location const*> ranked() const;

@@ -73,7 +73,7 @@ std::vector<Candidate> draw_candidates(Assessment const& assessment, Choice cons
         }
         unit = choice.simulated(unit);
         if (choice.is_new(unit))
-            candidates.push_back({unit, assessment.objective().residuals(assessment.predict(unit)).norm(),
+            candidates.push_back({unit, assessment.objective().search_residuals(assessment.predict(unit)).norm(),
                                   choice.distance(unit)});
     }
     return candidates;
@@ -103,7 +103,7 @@ std::vector<std::vector<double>> search_points(Assessment const& assessment, int
 {
     Choice choice(assessment);
     Location const* best = assessment.locations().best();
-    double const to_beat = best ? assessment.objective().residuals(best->responses).squaredNorm()
+    double const to_beat = best ? assessment.objective().search_residuals(best->responses).squaredNorm()
                                 : std::numeric_limits<double>::infinity();
     int const most_minima = std::max(1, count / 2);
     for (auto const& minimum : assessment.minima()) {

@@ -1,4 +1,4 @@
-#include "demens/base/random.hpp"
+#include "samples.hpp"
 #include "tao_calib/surrogate/polynomial.hpp"
 #include "tao_calib/surrogate/radial_basis.hpp"
 
@@ -10,53 +10,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-Samples sampled(int n, int k, std::function<double(VectorXd const&)> const& f, std::uint64_t seed = 1)
-{
-    RandomStream random(seed);
-    Samples samples{MatrixXd(n, k), VectorXd(n), VectorXd::Ones(n)};
-    for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < k; ++j)
-            samples.points(i, j) = random.uniform();
-        samples.values[i] = f(samples.points.row(i).transpose());
-    }
-    return samples;
-}
-
-double wavy(VectorXd const& x)
-{
-    return std::sin(3 * x[0]) + x[0] * x[1] * x[1] - std::exp(0.5 * x[2]);
-}
-
-Samples without(Samples const& samples, int left_out)
-{
-    Samples rest{MatrixXd(samples.points.rows() - 1, samples.points.cols()),
-                 VectorXd(samples.values.size() - 1), VectorXd(samples.values.size() - 1)};
-    for (int i = 0, next = 0; i < samples.values.size(); ++i) {
-        if (i == left_out)
-            continue;
-        rest.points.row(next) = samples.points.row(i);
-        rest.values[next] = samples.values[i];
-        rest.weights[next++] = samples.weights[i];
-    }
-    return rest;
-}
-
-void expect_gradient_matches_differences(Surrogate const& surrogate, int k)
-{
-    RandomStream random(7);
-    constexpr double h = 1e-5;
-    for (int trial = 0; trial < 20; ++trial) {
-        VectorXd x(k);
-        for (int j = 0; j < k; ++j)
-            x[j] = random.uniform();
-        VectorXd const gradient = surrogate.gradient(x);
-        for (int j = 0; j < k; ++j) {
-            VectorXd const step = h * VectorXd::Unit(k, j);
-            EXPECT_NEAR(gradient[j], (surrogate.value(x + step) - surrogate.value(x - step)) / (2 * h), 1e-7);
-        }
-    }
-}
 
 TEST(Polynomial, ReproducesALongleyFit)
 {

@@ -1,0 +1,42 @@
+#include "tao_calib/wave/choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace demens::tao_calib {
+
+using Eigen::VectorXd;
+
+Choice::Choice(Assessment const& assessment) : cube_(assessment.cube())
+{
+    for (auto const& location : assessment.locations().all())
+        taken_.push_back(location.unit);
+}
+
+VectorXd Choice::simulated(VectorXd const& unit) const
+{
+    auto const values = cube_.to_design_point(unit);
+    return cube_.to_unit(Eigen::Map<VectorXd const>(values.data(), cube_.size()));
+}
+
+double Choice::distance(VectorXd const& unit) const
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (auto const& other : taken_)
+        least = std::min(least, (other - unit).norm());
+    return least;
+}
+
+bool Choice::is_new(VectorXd const& unit) const
+{
+    return distance(unit) > 0.02 * std::sqrt(unit.size());
+}
+
+void Choice::take(VectorXd const& unit)
+{
+    points_.push_back(cube_.to_design_point(unit));
+    taken_.push_back(unit);
+}
+
+} // namespace demens::tao_calib
