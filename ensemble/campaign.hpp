@@ -46,7 +46,7 @@ struct NamedArray
 struct Wave
 {
     int number = 0;
-    std::string purpose; //!< "design", "search", "confirmation"
+    std::string purpose; //!< "screening", "design", "search", "confirmation"
     std::vector<RunRecord> runs;
     std::vector<NamedArray> analysis;
     double wall_time = 0; //!< [s]

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <limits>
 
 namespace demens::tao_calib {
 namespace {
@@ -78,6 +79,68 @@ void add_targets(std::string& out, Campaign const& campaign, Wave const& wave)
     }
 }
 
+void add_screening(std::string& out, Campaign const& campaign, Wave const& wave)
+{
+    auto const* p_values = find(wave, "screening/p_values");
+    auto const* fixed = find(wave, "screening/fixed_value");
+    if (!p_values || !fixed)
+        return;
+    auto const& factors = campaign.input.factors;
+    auto const width = widest(6, factors, [](auto const& factor) { return factor.name; });
+    fmt::format_to(std::back_inserter(out), "\n  {:<{}}  {:>18}\n", "screening", width, "smallest p value");
+    for (std::size_t j = 0; j < factors.size(); ++j) {
+        double smallest = std::numeric_limits<double>::quiet_NaN();
+        for (std::size_t i = j; i < p_values->size(); i += factors.size())
+            smallest = std::fmin(smallest, (*p_values)[i]);
+        fmt::format_to(std::back_inserter(out), "  {:<{}}  {:>18.3g}  {}\n", factors[j].name, width, smallest,
+                       std::isnan((*fixed)[j]) ? "free" : fmt::format("inactive, kept at {:g}", (*fixed)[j]));
+    }
+}
+
+//! Where the targets can be met, which factors trade off, which targets nothing reached.
+void add_findings(std::string& out, Campaign const& campaign, Wave const& wave)
+{
+    auto const to = std::back_inserter(out);
+    auto const& factors = campaign.input.factors;
+    if (auto const* share = find(wave, "region/share")) {
+        auto const* parts = find(wave, "region/part_shares");
+        auto const* by_tolerance = find(wave, "region/by_tolerance");
+        fmt::format_to(to, "\n  {}: {}\n",
+                       by_tolerance->front() == 1 ? "predicted within every tolerance"
+                                                  : "compatible with the targets at 95 %",
+                       !parts ? "nowhere"
+                              : fmt::format("{:.2g} % of the range, {}", 100 * share->front(),
+                                            parts->size() == 1 ? "one region"
+                                                               : fmt::format("{} regions", parts->size())));
+    }
+    if (auto const* pairs = find(wave, "tradeoff/factors")) {
+        auto const& correlation = *find(wave, "tradeoff/correlation");
+        auto const& response = *find(wave, "tradeoff/response");
+        auto const& removed = *find(wave, "tradeoff/variance_removed");
+        for (std::size_t i = 0; i < correlation.size(); ++i) {
+            fmt::format_to(to, "  {} and {} trade off (correlation {:.2f}); ",
+                           factors[static_cast<std::size_t>((*pairs)[2 * i])].name,
+                           factors[static_cast<std::size_t>((*pairs)[2 * i + 1])].name, correlation[i]);
+            if (response[2 * i] < 0)
+                fmt::format_to(to, "no response that is simulated would separate them\n");
+            else {
+                auto const& experiment = campaign.input.experiments[static_cast<std::size_t>(response[2 * i])];
+                auto const& what = experiment.rig->responses[static_cast<std::size_t>(response[2 * i + 1])];
+                fmt::format_to(to, "measuring {}.{} would take away {:.0f} % of that\n", experiment.name,
+                               what.name, 100 * removed[i]);
+            }
+        }
+    }
+    if (auto const* distances = find(wave, "optimum/out_of_reach")) {
+        Objective const objective(campaign.input);
+        for (std::size_t t = 0; t < distances->size(); ++t)
+            if ((*distances)[t] != 0)
+                fmt::format_to(to, "  warning: no run reached the target of {}: it is {} all of them by {:.3g}\n",
+                               objective.targets()[t].name, (*distances)[t] > 0 ? "above" : "below",
+                               std::abs((*distances)[t]));
+    }
+}
+
 void add_counts(std::string& out, Campaign const& campaign)
 {
     int finished = 0, failed = 0, waiting = 0;
@@ -112,6 +175,8 @@ std::string summary(Campaign const& campaign)
                        find(*wave, "optimum/mean_square_residual")->front());
         add_factors(out, campaign, *wave);
         add_targets(out, campaign, *wave);
+        add_findings(out, campaign, *wave);
+        add_screening(out, campaign, *wave);
     } else
         out += "\n  no design point has a value for every target yet\n";
     add_counts(out, campaign);

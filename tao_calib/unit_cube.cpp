@@ -154,6 +154,14 @@ VectorXd UnitCube::with_fixed(VectorXd const& free_values) const
     return values;
 }
 
+Eigen::MatrixXd UnitCube::whole_points(Eigen::MatrixXd const& free_points) const
+{
+    Eigen::MatrixXd points(free_points.rows(), size());
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+        points.row(i) = with_fixed(free_points.row(i).transpose()).transpose();
+    return points;
+}
+
 VectorXd UnitCube::pinned(VectorXd unit) const
 {
     for (int k = 0; k < size(); ++k)

@@ -23,6 +23,10 @@ class UnitCube
     //! Factors that may vary.
     std::vector<int> const& free_factors() const { return free_; }
     bool is_free(int factor) const { return std::isnan(fixed_[factor]); }
+    //! The free factors and the constraints between them.
+    FactorSpace const& space() const { return space_; }
+    //! Points of the free factors, own units, completed by the fixed ones [points x k].
+    Eigen::MatrixXd whole_points(Eigen::MatrixXd const& free_points) const;
     //! The point with all fixed factors at their values.
     Eigen::VectorXd pinned(Eigen::VectorXd unit) const;
     bool constrained() const { return !constraints_.empty(); }

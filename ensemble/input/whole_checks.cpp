@@ -65,6 +65,12 @@ void check_budget(InputTable const& design, InputTable const& stop, CampaignInpu
         throw stop.error("no experiment has a target, so that there is nothing to search for; give "
                          "target.RESPONSE = { value = ..., scale = ... } or, to run the design alone, "
                          "waves = 0 in [stop]");
+    long const screened =
+        input.screening.points > 0 ? input.screening.points + input.screening.centre_repetitions : 0;
+    if (screened * runs_per_point > input.stop.runs)
+        throw stop.error(fmt::format("the screening needs {} runs ({} points, {} runs each), but runs = {}; raise "
+                                     "it or screen with fewer points",
+                                     screened * runs_per_point, screened, runs_per_point, input.stop.runs));
     int const points =
         input.design.kind == "table" ? static_cast<int>(input.design.table.size()) : input.design.points;
     if (static_cast<long>(points) * runs_per_point > input.stop.runs)
@@ -80,9 +86,8 @@ void check_screening(InputTable const& screening, CampaignInput const& input)
 {
     int const points = input.screening.points;
     if (points == 0) {
-        for (auto const& key : screening.keys())
-            if (key != "points")
-                throw screening.error(key, "is used with points > 0 alone, the number of points to screen with");
+        if (screening.has("generators"))
+            throw screening.error("generators", "needs points > 0, the number of points to screen with");
         return;
     }
     if (points < 4 || (points & (points - 1)) != 0)

@@ -4,7 +4,7 @@ const campaign = JSON.parse(document.getElementById('document').textContent);
 
 const colours = {
     ink: '#1d2733', soft: '#5d6b7a', line: '#dde3ea', accent: '#1f5fa8', best: '#c2412d', band: '#2f7d4f', failed: '#d9534a',
-    design: '#8b9db3', search: '#1f5fa8', confirmation: '#c98a1b',
+    design: '#8b9db3', screening: '#a58fc2', search: '#1f5fa8', confirmation: '#c98a1b',
 };
 const purpose_colour = (purpose) => colours[purpose] || colours.accent;
 

@@ -77,4 +77,44 @@ double f_p_value(double f, double numerator_degrees, double denominator_degrees)
                            numerator_degrees * f / sum);
 }
 
+// Series below a + 1, continued fraction above (Abramowitz and
+//! Stegun 6.5.29 and 6.5.31).
+double incomplete_gamma(double a, double x)
+{
+    if (x <= 0)
+        return 0;
+    constexpr int most_terms = 500;
+    double const front = std::exp(a * std::log(x) - x - std::lgamma(a));
+    if (x < a + 1) {
+        double term = 1 / a, sum = term;
+        for (int n = 1; n < most_terms && term > 1e-16 * sum; ++n)
+            sum += term *= x / (a + n);
+        return front * sum;
+    }
+    double b = x + 1 - a, c = 1e300, d = 1 / b, fraction = d;
+    for (int n = 1; n < most_terms; ++n) {
+        double const numerator = -n * (n - a);
+        b += 2;
+        d = 1 / (numerator * d + b);
+        c = b + numerator / c;
+        double const change = c * d;
+        fraction *= change;
+        if (std::abs(change - 1) < 1e-15)
+            break;
+    }
+    return 1 - front * fraction;
+}
+
+double chi_square_quantile(double probability, double degrees_of_freedom)
+{
+    double lower = 0, upper = degrees_of_freedom + 1;
+    while (incomplete_gamma(0.5 * degrees_of_freedom, 0.5 * upper) < probability)
+        upper *= 2;
+    while (upper - lower > 1e-12 * upper) {
+        double const half = 0.5 * (lower + upper);
+        (incomplete_gamma(0.5 * degrees_of_freedom, 0.5 * half) < probability ? lower : upper) = half;
+    }
+    return 0.5 * (lower + upper);
+}
+
 } // namespace demens::tao_calib

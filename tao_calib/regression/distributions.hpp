@@ -12,4 +12,10 @@ double student_t_quantile(double confidence, double degrees_of_freedom);
 //! Probability that F is at least this large when there is no effect.
 double f_p_value(double f, double numerator_degrees, double denominator_degrees);
 
+//! Regularised lower incomplete gamma function P(a, x).
+double incomplete_gamma(double a, double x);
+
+//! The value below which a chi-square variable lies with that probability.
+double chi_square_quantile(double probability, double degrees_of_freedom);
+
 } // namespace demens::tao_calib

@@ -49,20 +49,24 @@ double distance_to(std::vector<VectorXd> const& points, VectorXd const& point)
 
 } // namespace
 
+LocalMinimum minimum_from(LeastSquaresSolver const& solver, LeastSquaresProblem const& problem,
+                          UnitCube const& cube, VectorXd const& start, LeastSquaresSettings const& settings)
+{
+    VectorXd const feasible = cube.project(start);
+    double const distance_weight = std::clamp(problem.evaluate(feasible).norm(), 1.0, 100.0);
+    auto const result =
+        solver.minimise(widened(problem, cube, distance_weight), feasible(cube.free_factors()), settings);
+    VectorXd const point = cube.project(whole(cube, result.point));
+    return {point, problem.evaluate(point).squaredNorm()};
+}
+
 std::vector<LocalMinimum> distinct_minima(LeastSquaresSolver const& solver,
                                           LeastSquaresProblem const& problem, UnitCube const& cube,
                                           std::vector<VectorXd> const& starts, double separation)
 {
     std::vector<LocalMinimum> all;
-    for (auto const& start : starts) {
-        VectorXd const feasible = cube.project(start);
-        double const size = problem.evaluate(feasible).norm();
-        double const distance_weight = std::clamp(size, 1.0, 100.0);
-        auto const result = solver.minimise(widened(problem, cube, distance_weight),
-                                            feasible(cube.free_factors()), {});
-        VectorXd const point = cube.project(whole(cube, result.point));
-        all.push_back({point, problem.evaluate(point).squaredNorm()});
-    }
+    for (auto const& start : starts)
+        all.push_back(minimum_from(solver, problem, cube, start));
     std::stable_sort(all.begin(), all.end(),
                      [](auto const& a, auto const& b) { return a.sum_of_squares < b.sum_of_squares; });
     std::vector<LocalMinimum> distinct;

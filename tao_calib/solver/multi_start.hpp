@@ -14,9 +14,14 @@ struct LocalMinimum
     double sum_of_squares;
 };
 
+//! The minimum that a solver finds from one start. Linear constraints enter by projection: at x the residuals are
+//! those of the nearest feasible point, followed by its distance from x, so that a minimum is feasible and exact.
+LocalMinimum minimum_from(LeastSquaresSolver const& solver, LeastSquaresProblem const& problem,
+                          UnitCube const& cube, Eigen::VectorXd const& start,
+                          LeastSquaresSettings const& settings = {});
+
 //! Solves from every start within the feasible part of the cube and returns the minima that lie further apart
-//! than `separation`, best first. Linear constraints enter by projection: at x the residuals are those of the
-//! nearest feasible point, followed by its distance from x, so that a minimum is feasible and exact.
+//! than `separation`, best first.
 std::vector<LocalMinimum> distinct_minima(LeastSquaresSolver const& solver,
                                           LeastSquaresProblem const& problem, UnitCube const& cube,
                                           std::vector<Eigen::VectorXd> const& starts, double separation);

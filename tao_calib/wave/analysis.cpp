@@ -1,6 +1,6 @@
 #include "tao_calib/wave/analysis.hpp"
 
-#include "tao_calib/wave/uncertainty.hpp"
+#include "tao_calib/wave/analysis_arrays.hpp"
 
 #include <cmath>
 #include <limits>
@@ -14,43 +14,7 @@ using Eigen::VectorXd;
 using ensemble::NamedArray;
 
 constexpr int slice_points = 41;
-constexpr std::uint64_t uncertainty_stream = 0x756e636572; // "uncer"
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-//! Collects arrays; a dimensionless one has units "1", one whose entries differ "mixed".
-class Arrays
-{
-  public:
-    void number(std::string path, double value, std::string units, std::string doc)
-    {
-        arrays_.push_back({std::move(path), {1}, {value}, std::move(units), std::move(doc)});
-    }
-    void vector(std::string path, VectorXd const& values, std::string units, std::string doc)
-    {
-        arrays_.push_back({std::move(path),
-                           {static_cast<std::size_t>(values.size())},
-                           {values.begin(), values.end()},
-                           std::move(units),
-                           std::move(doc)});
-    }
-    void matrix(std::string path, MatrixXd const& values, std::string units, std::string doc)
-    {
-        NamedArray array{std::move(path),
-                         {static_cast<std::size_t>(values.rows()), static_cast<std::size_t>(values.cols())},
-                         {},
-                         std::move(units),
-                         std::move(doc)};
-        for (Eigen::Index i = 0; i < values.rows(); ++i)
-            for (Eigen::Index j = 0; j < values.cols(); ++j)
-                array.data.push_back(values(i, j));
-        arrays_.push_back(std::move(array));
-    }
-    void add(NamedArray array) { arrays_.push_back(std::move(array)); }
-    std::vector<NamedArray> take() { return std::move(arrays_); }
-
-  private:
-    std::vector<NamedArray> arrays_;
-};
 
 double leave_one_out_r2(Samples const& samples, double rmse)
 {
@@ -152,25 +116,6 @@ void add_prediction(Arrays& arrays, Assessment const& assessment)
                   "predicted weighted mean square error there");
 }
 
-void add_uncertainty(Arrays& arrays, Assessment const& assessment, std::uint64_t seed)
-{
-    auto const known = factor_uncertainty(assessment, seed);
-    VectorXd verdicts(assessment.cube().size());
-    for (Eigen::Index j = 0; j < verdicts.size(); ++j)
-        verdicts[j] = static_cast<int>(known.verdicts[j]);
-    arrays.vector("optimum/target_noise", known.target_noise, "mixed",
-                  "by target, in its unit: standard deviation used for the intervals");
-    arrays.vector(
-        "optimum/factor_standard_error", known.standard_errors, "mixed",
-        "by factor, in its unit: standard deviation over all parameter sets, weighted by likelihood");
-    arrays.matrix("optimum/factor_interval", known.intervals, "mixed",
-                  "factor x (lowest, highest), in its unit: values that can still meet the targets, 95 %");
-    arrays.matrix("optimum/factor_correlation", known.correlations, "1",
-                  "factor x factor: correlation over the same parameter sets");
-    arrays.vector("optimum/factor_verdict", verdicts, "1",
-                  "by factor: 0 determined, 1 weakly determined, 2 not determined by these targets");
-}
-
 //! WMSE of each design point by itself, NaN where a target has no value.
 VectorXd point_errors(ensemble::Campaign const& campaign, Objective const& objective, UnitCube const& cube)
 {
@@ -211,15 +156,15 @@ void add_history(Arrays& arrays, ensemble::Campaign const& campaign, Assessment 
 std::vector<NamedArray> analysis_arrays(ensemble::Campaign const& campaign, Assessment const& assessment)
 {
     Arrays arrays;
+    if (has_screening(campaign.input))
+        add_screening(arrays, assessment.screening());
     if (auto const* best = assessment.locations().best())
         add_best(arrays, assessment.objective(), *best);
     if (assessment.fitted()) {
         add_surrogates(arrays, assessment);
         add_slices(arrays, assessment);
         add_prediction(arrays, assessment);
-        add_uncertainty(
-            arrays, assessment,
-            derive_seed(derive_seed(campaign.input.seed, uncertainty_stream), campaign.waves.size()));
+        add_knowledge(arrays, campaign, assessment);
     }
     add_history(arrays, campaign, assessment);
     return arrays.take();

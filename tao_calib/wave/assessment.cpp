@@ -28,7 +28,8 @@ Transform transform_of(ensemble::Target const& target)
 } // namespace
 
 Assessment::Assessment(ensemble::Campaign const& campaign, LeastSquaresSolver const& solver)
-    : objective_(campaign.input), cube_(campaign.input.factors, campaign.input.constraints),
+    : solver_(solver), objective_(campaign.input), screening_(screen(campaign, objective_)),
+      cube_(campaign.input.factors, campaign.input.constraints, screening_.fixed()),
       locations_(objective_, cube_, campaign)
 {
     if (locations_.complete() < locations_needed(cube_.size()))

@@ -2,6 +2,7 @@
 
 #include "tao_calib/solver/multi_start.hpp"
 #include "tao_calib/wave/locations.hpp"
+#include "tao_calib/wave/screening.hpp"
 
 #include <memory>
 #include <vector>
@@ -13,16 +14,20 @@ namespace demens::tao_calib {
 class Assessment
 {
   public:
+    //! The solver must outlive it.
     Assessment(ensemble::Campaign const& campaign, LeastSquaresSolver const& solver);
+    Assessment(ensemble::Campaign const& campaign, LeastSquaresSolver const&& solver) = delete;
     Assessment(Assessment const&) = delete;
     Assessment& operator=(Assessment const&) = delete;
 
     //! Complete locations needed before anything is fitted: the linear terms and one degree of freedom.
     static int locations_needed(int factors) { return factors + 2; }
 
+    LeastSquaresSolver const& solver() const { return solver_; }
     Objective const& objective() const { return objective_; }
     UnitCube const& cube() const { return cube_; }
     Locations const& locations() const { return locations_; }
+    Screening const& screening() const { return screening_; }
 
     //! Whether there were runs enough to fit; the functions below need it.
     bool fitted() const { return !surrogates_.empty(); }
@@ -38,7 +43,9 @@ class Assessment
     std::vector<LocalMinimum> const& minima() const { return minima_; }
 
   private:
+    LeastSquaresSolver const& solver_;
     Objective objective_;
+    Screening screening_;
     UnitCube cube_;
     Locations locations_;
     std::vector<Samples> samples_;

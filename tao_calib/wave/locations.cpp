@@ -46,9 +46,11 @@ void Locations::add(ensemble::RunRecord const& run)
         return;
     if (run.status != rig::RunStatus::finished) {
         ++failed_runs_;
+        ++location.failed_runs;
         return;
     }
     ++finished_runs_;
+    ++location.finished_runs;
     if (location.first_finished_run < 0)
         location.first_finished_run = run.run;
     for (int t = 0; t < objective_->size(); ++t) {

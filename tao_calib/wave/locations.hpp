@@ -19,6 +19,7 @@ struct Location
     Eigen::VectorXd responses;          //!< [m] means over finished runs; NaN without any
     Eigen::VectorXd runs;               //!< [m] finished runs behind each mean
     Eigen::VectorXd squared_deviations; //!< [m] summed over those runs
+    int finished_runs = 0, failed_runs = 0;
 
     //! Whether every target has a simulated value.
     bool complete() const { return runs.size() > 0 && runs.minCoeff() > 0; }

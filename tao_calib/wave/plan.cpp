@@ -75,10 +75,23 @@ int batch_size(Campaign const& campaign)
     return asked > 0 ? asked : std::max(4, 2 * static_cast<int>(campaign.input.factors.size()));
 }
 
-NextStep first_wave(Campaign const& campaign, Budget const& budget)
+NextStep screening_wave(Campaign const& campaign)
+{
+    auto const design = screening_points(campaign.input);
+    std::vector<std::vector<double>> points;
+    for (Eigen::Index i = 0; i < design.rows(); ++i) {
+        Eigen::VectorXd const row = design.row(i);
+        points.emplace_back(row.begin(), row.end());
+    }
+    return wave("screening", points);
+}
+
+NextStep design_wave(Campaign const& campaign, Assessment const& assessment, Budget const& budget)
 {
     auto const& input = campaign.input;
-    auto const design = make_design(input.design, input.factors, input.constraints, input.seed);
+    auto const& cube = assessment.cube();
+    auto const design = cube.whole_points(
+        make_design(input.design, cube.space().factors(), cube.space().constraints(), input.seed));
     std::vector<std::vector<double>> points;
     for (Eigen::Index i = 0; i < std::min<Eigen::Index>(design.rows(), budget.points); ++i) {
         Eigen::VectorXd const row = design.row(i);
@@ -169,6 +182,33 @@ std::optional<std::string> search_exhausted(Campaign const& campaign, Location c
     return std::nullopt;
 }
 
+bool is_confirmed(Campaign const& campaign, Location const& best)
+{
+    return static_cast<int>(best.points.size()) > campaign.input.stop.confirmation;
+}
+
+//! The end, or first the repetitions of the best location that are still missing.
+NextStep confirm_or_finish(Campaign const& campaign, Location const& best, Budget const& budget,
+                           std::string const& reason)
+{
+    int const missing = 1 + campaign.input.stop.confirmation - static_cast<int>(best.points.size());
+    bool const can_confirm = budget.points > 0 && !budget.time_is_up &&
+                             confirmations_in_a_row(campaign) < most_confirmations_in_a_row;
+    if (missing > 0 && can_confirm) {
+        std::vector<double> const values(best.factors.begin(), best.factors.end());
+        return wave("confirmation", std::vector(std::min(missing, budget.points), values));
+    }
+    return {NextStep::Kind::finish, {}, {}, reason};
+}
+
+//! Why the search has no further point.
+std::string nothing_left(Campaign const& campaign)
+{
+    return campaign.input.solver.kind == "pounders_direct"
+               ? "POUNDERS on the simulation has come to its end"
+               : "every combination of the factors' levels has been simulated";
+}
+
 } // namespace
 
 //! A single run of a packing scatters, and the best of many runs is a lucky one. So a campaign ends only when
@@ -177,8 +217,10 @@ std::optional<std::string> search_exhausted(Campaign const& campaign, Location c
 NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment)
 {
     Budget const budget(campaign);
-    if (campaign.waves.empty())
-        return first_wave(campaign, budget);
+    if (campaign.waves.empty() && has_screening(campaign.input))
+        return screening_wave(campaign);
+    if (waves_of(campaign, "design") == 0)
+        return design_wave(campaign, assessment, budget);
     if (assessment.objective().size() == 0)
         return {NextStep::Kind::finish,
                 {},
@@ -193,22 +235,15 @@ NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment)
     auto const goal = goal_reached(campaign, assessment, best);
     auto const exhausted = search_exhausted(campaign, best, budget);
     if (goal || exhausted) {
-        int const missing = 1 + campaign.input.stop.confirmation - static_cast<int>(best.points.size());
-        bool const can_confirm = budget.points > 0 && !budget.time_is_up &&
-                                 confirmations_in_a_row(campaign) < most_confirmations_in_a_row;
-        if (missing > 0 && can_confirm) {
-            std::vector<double> const values(best.factors.begin(), best.factors.end());
-            return wave("confirmation", std::vector(std::min(missing, budget.points), values));
-        }
-        if (exhausted || missing <= 0)
-            return {NextStep::Kind::finish, {}, {}, goal ? *goal : *exhausted};
+        auto const step = confirm_or_finish(campaign, best, budget, goal ? *goal : *exhausted);
+        if (step.kind == NextStep::Kind::simulate || exhausted || is_confirmed(campaign, best))
+            return step;
     }
 
-    auto points = search_points(assessment, std::min(batch_size(campaign), budget.points - reserve(campaign)),
+    auto points = search_points(campaign, assessment, std::min(batch_size(campaign), budget.points - reserve(campaign)),
                                 wave_seed(campaign));
     if (points.empty())
-        return {
-            NextStep::Kind::finish, {}, {}, "every combination of the factors' levels has been simulated"};
+        return confirm_or_finish(campaign, best, budget, nothing_left(campaign));
     return wave("search", std::move(points));
 }
 

@@ -17,7 +17,7 @@ struct NextStep
         give_up   //!< too few runs finished to calibrate anything
     };
     Kind kind = Kind::finish;
-    std::string purpose;                     //!< of the wave: "design", "search", "confirmation"
+    std::string purpose;                     //!< of the wave: "screening", "design", "search", "confirmation"
     std::vector<std::vector<double>> points; //!< of the wave, own units
     std::string reason;                      //!< why it ends
 };

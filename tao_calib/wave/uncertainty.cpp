@@ -1,5 +1,7 @@
 #include "tao_calib/wave/uncertainty.hpp"
 
+#include "tao_calib/regression/distributions.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -59,7 +61,7 @@ std::vector<State> draw(Assessment const& assessment, ChiSquare const& chi_squar
 {
     constexpr int generations = 400, discarded = 150;
     UnitCube const& cube = assessment.cube();
-    int const k = cube.size(), chains = std::max(30, 8 * k);
+    int const k = static_cast<int>(cube.free_factors().size()), chains = std::max(30, 8 * k);
     std::vector<State> population;
     for (int c = 0; c < chains; ++c) {
         // Half of the chains begin around the minima, the others anywhere.
@@ -79,6 +81,7 @@ std::vector<State> draw(Assessment const& assessment, ChiSquare const& chi_squar
             VectorXd proposal = population[c].unit + length * (population[a].unit - population[b].unit);
             for (double& x : proposal)
                 x += 1e-3 * bell(random);
+            proposal = cube.pinned(proposal);
             double const chance = random.uniform();
             if (allowed(cube, proposal)) {
                 double const value = chi_square(proposal);
@@ -103,7 +106,7 @@ VectorXd pushed(UnitCube const& cube, ChiSquare const& chi_square, double thresh
         for (double& x : step)
             x = length * bell(random);
         step[factor] = direction * std::abs(step[factor]);
-        VectorXd const trial = (point + step).cwiseMax(0).cwiseMin(1);
+        VectorXd const trial = cube.pinned((point + step).cwiseMax(0).cwiseMin(1));
         bool const further = direction * (trial[factor] - point[factor]) > 0;
         if (further && allowed(cube, trial) && chi_square(trial) <= threshold) {
             point = trial;
@@ -173,8 +176,15 @@ char const* name_of(Verdict verdict)
         return "weakly determined";
     case Verdict::not_determined:
         return "not determined by these targets";
+    case Verdict::fixed:
+        return "fixed: inactive in the screening";
     }
     return "";
+}
+
+double misfit(Assessment const& assessment, VectorXd const& target_noise, VectorXd const& unit)
+{
+    return ChiSquare(assessment, target_noise)(unit);
 }
 
 FactorUncertainty factor_uncertainty(Assessment const& assessment, std::uint64_t seed)
@@ -194,6 +204,14 @@ FactorUncertainty factor_uncertainty(Assessment const& assessment, std::uint64_t
 
     FactorUncertainty result;
     result.target_noise = chi_square.noise();
+    result.least_misfit = threshold - threshold_95;
+    result.region_90 =
+        result.least_misfit + chi_square_quantile(0.9, static_cast<double>(cube.free_factors().size()));
+    constexpr Eigen::Index most_draws = 400;
+    auto const stride = std::max<Eigen::Index>(1, values.rows() / most_draws);
+    result.draws.resize((values.rows() + stride - 1) / stride, k);
+    for (Eigen::Index i = 0; i < result.draws.rows(); ++i)
+        result.draws.row(i) = draws[static_cast<std::size_t>(i * stride)].unit.transpose();
     result.standard_errors = (centred.cwiseAbs2().colwise().mean()).cwiseSqrt().transpose();
     result.correlations = correlation(values);
     result.intervals.resize(k, 2);
@@ -201,6 +219,10 @@ FactorUncertainty factor_uncertainty(Assessment const& assessment, std::uint64_t
     result.intervals.col(1) = cube.to_values(unit_extents.col(1));
     for (int j = 0; j < k; ++j) {
         double const width = unit_extents(j, 1) - unit_extents(j, 0);
+        if (!cube.is_free(j)) {
+            result.verdicts.push_back(Verdict::fixed);
+            continue;
+        }
         result.verdicts.push_back(width < 0.5   ? Verdict::determined
                                   : width < 0.9 ? Verdict::weakly
                                                 : Verdict::not_determined);

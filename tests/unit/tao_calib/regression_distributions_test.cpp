@@ -42,3 +42,12 @@ TEST(Distributions, QuantilesInvertThePValue)
     for (double degrees : {3, 5, 30, 1000})
         EXPECT_NEAR(student_t_p_value(student_t_quantile(0.95, degrees), degrees), 0.05, 1e-14) << degrees;
 }
+
+TEST(ChiSquare, HasTheQuantilesOfTables)
+{
+    EXPECT_NEAR(chi_square_quantile(0.95, 1), 3.841459, 1e-6);
+    EXPECT_NEAR(chi_square_quantile(0.90, 2), 4.605170, 1e-6);
+    EXPECT_NEAR(chi_square_quantile(0.90, 3), 6.251389, 1e-6);
+    EXPECT_NEAR(chi_square_quantile(0.99, 10), 23.209251, 1e-6);
+    EXPECT_NEAR(incomplete_gamma(1, 2), 1 - std::exp(-2.0), 1e-14); // the exponential distribution
+}

@@ -3,6 +3,7 @@
 #include "demens/base/random.hpp"
 #include "petsc_environment.hpp"
 #include "tao_calib/solver/pounders.hpp"
+#include "tao_calib/solver/solver_choice.hpp"
 #include "tao_calib/wave/analysis.hpp"
 #include "tao_calib/wave/plan.hpp"
 
@@ -12,6 +13,12 @@
 #include <stdexcept>
 
 namespace demens::tao_calib {
+
+inline Pounders const& pounders()
+{
+    static Pounders const solver(*PetscEnvironment::session());
+    return solver;
+}
 
 //! A campaign whose runs are a formula with scatter in place of a simulation, driven wave by wave without
 //! MPI.
@@ -46,7 +53,8 @@ class StandIn
     //! One turn of the wave loop. \return false when the campaign has ended
     bool advance()
     {
-        Assessment const assessment(campaign, Pounders(*PetscEnvironment::session()));
+        auto const solver = surrogate_solver(campaign.input.solver.kind, *PetscEnvironment::session());
+        Assessment const assessment(campaign, *solver);
         if (!campaign.waves.empty())
             campaign.waves.back().analysis = analysis_arrays(campaign, assessment);
         last_step = plan_next_wave(campaign, assessment);

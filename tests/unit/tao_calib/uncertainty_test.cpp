@@ -35,7 +35,7 @@ StandIn linear(StandIn::Formula const& formula, rig::RigInfo const& rig, std::ve
 
 FactorUncertainty known(StandIn const& stand_in)
 {
-    Assessment const assessment(stand_in.campaign, Pounders(*PetscEnvironment::session()));
+    Assessment const assessment(stand_in.campaign, pounders());
     return factor_uncertainty(assessment, 1);
 }
 

@@ -91,7 +91,7 @@ TEST(WavePlan, ContinuesFromAnyWaveAsIfItHadNeverStopped)
         auto resumed = whole.campaign;
         resumed.ended.clear();
         resumed.waves.resize(waves);
-        Assessment const assessment(resumed, Pounders(*PetscEnvironment::session()));
+        Assessment const assessment(resumed, pounders());
         auto const step = plan_next_wave(resumed, assessment);
         ASSERT_EQ(step.kind, NextStep::Kind::simulate);
         EXPECT_EQ(step.purpose, whole.campaign.waves[waves].purpose);
