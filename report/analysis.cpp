@@ -79,6 +79,37 @@ json optimum_of(Analysis const& analysis)
         {"interval", analysis.values("optimum/factor_interval")},
         {"correlation", analysis.values("optimum/factor_correlation")},
         {"verdict", analysis.values("optimum/factor_verdict")},
+        {"objective", analysis.scalar("optimum/objective")},
+        {"out_of_reach", analysis.values("optimum/out_of_reach")},
+    };
+}
+
+json findings_of(Analysis const& analysis)
+{
+    if (!analysis.find("region/share")) return nullptr;
+    return {
+        {"by_tolerance", analysis.scalar("region/by_tolerance") == 1},
+        {"share", analysis.scalar("region/share")},
+        {"part_shares", analysis.values("region/part_shares")},
+        {"part_lower", analysis.values("region/part_lower")},
+        {"part_upper", analysis.values("region/part_upper")},
+        {"pairs", analysis.values("tradeoff/factors")},
+        {"correlation", analysis.values("tradeoff/correlation")},
+        {"separated_by", analysis.values("tradeoff/response")},
+        {"variance_removed", analysis.values("tradeoff/variance_removed")},
+    };
+}
+
+json screening_of(Analysis const& analysis)
+{
+    if (!analysis.find("screening/active")) return nullptr;
+    return {
+        {"active", analysis.values("screening/active")},
+        {"fixed_value", analysis.values("screening/fixed_value")},
+        {"effects", analysis.values("screening/effects")},
+        {"p_values", analysis.values("screening/p_values")},
+        {"error_degrees", analysis.values("screening/error_degrees")},
+        {"from_replicates", analysis.scalar("screening/error_from_replicates") == 1},
     };
 }
 

@@ -29,6 +29,10 @@ class Analysis
 
 //! Best fit, intervals and correlations of the factors.
 nlohmann::json optimum_of(Analysis const& analysis);
+//! Where the targets can be met and which factors trade off.
+nlohmann::json findings_of(Analysis const& analysis);
+//! Which factors act, where a screening was asked for.
+nlohmann::json screening_of(Analysis const& analysis);
 //! Predictions along each factor through the optimum and how good they are.
 nlohmann::json surrogate_of(Analysis const& analysis);
 

@@ -154,6 +154,7 @@ json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of
     return {{"name", input.name},
             {"seed", input.seed},
             {"ended", campaign.ended},
+            {"objective", input.objective.kind},
             {"stop", {{"wmse", input.stop.wmse}, {"runs", input.stop.runs}, {"waves", input.stop.waves}}},
             {"factors", factors_of(input)},
             {"constraints", constraints_of(input)},
@@ -164,6 +165,8 @@ json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of
              {{"wmse", analysis.values("history/wmse")}, {"point_wmse", analysis.values("history/point_wmse")}}},
             {"optimum", optimum_of(analysis)},
             {"surrogate", surrogate_of(analysis)},
+            {"findings", findings_of(analysis)},
+            {"screening", screening_of(analysis)},
             {"details", details_of_shown_runs(campaign, analysis, details_of)},
             {"input", {{"text", input.text()}, {"resolved", input.resolved_text()}}}};
 }

@@ -125,14 +125,19 @@ void add_findings(std::string& out, Campaign const& campaign, Wave const& wave)
                 fmt::format_to(to, "no response that is simulated would separate them\n");
             else {
                 auto const& experiment = campaign.input.experiments[static_cast<std::size_t>(response[2 * i])];
-                auto const& what = experiment.rig->responses[static_cast<std::size_t>(response[2 * i + 1])];
+                auto const& what = experiment.responses[static_cast<std::size_t>(response[2 * i + 1])];
                 fmt::format_to(to, "measuring {}.{} would take away {:.0f} % of that\n", experiment.name,
                                what.name, 100 * removed[i]);
             }
         }
     }
+    Objective const objective(campaign.input);
+    if (auto const* r2 = find(wave, "surrogate/leave_one_out_r2"))
+        for (std::size_t t = 0; t < r2->size(); ++t)
+            if (std::isnan((*r2)[t]))
+                fmt::format_to(to, "  warning: {} is the same in all runs: no factor acts on it\n",
+                               objective.targets()[t].name);
     if (auto const* distances = find(wave, "optimum/out_of_reach")) {
-        Objective const objective(campaign.input);
         for (std::size_t t = 0; t < distances->size(); ++t)
             if ((*distances)[t] != 0)
                 fmt::format_to(to, "  warning: no run reached the target of {}: it is {} all of them by {:.3g}\n",

@@ -95,7 +95,7 @@ struct ObjectiveOptions
 
 struct SurrogateOptions
 {
-    std::string kind = "rbf"; //!< quadratic, rbf, gaussian_process, auto
+    std::string kind = "auto"; //!< quadratic, rbf, gaussian_process, auto
 };
 
 struct SolverOptions

@@ -1,6 +1,6 @@
 // What the factors do to the responses, and how well the targets determine them.
 
-const verdict_colours = [colours.band, colours.confirmation, colours.failed];
+const verdict_colours = [colours.band, colours.confirmation, colours.failed, colours.soft];
 
 function show_determination(parent) {
     const optimum = campaign.optimum;
@@ -14,6 +14,8 @@ function show_determination(parent) {
     parent.append(columns);
     show_intervals(left, optimum);
     if (campaign.factors.length > 1 && optimum.correlation) show_correlations(right, optimum);
+    show_findings(parent);
+    show_screening(parent);
 }
 
 function show_intervals(parent, optimum) {
@@ -103,7 +105,8 @@ function show_responses(parent) {
 function show_response_row(parent, target) {
     const fit = campaign.surrogate && target.index >= 0 ? campaign.surrogate : null;
     const quality = fit && known(fit.leave_one_out_rmse[target.index])
-        ? `surrogate error ${number(fit.leave_one_out_rmse[target.index], 2)} (leave one out)` : null;
+        ? `${surrogate_kinds[fit.kind[target.index]]}, error ${number(fit.leave_one_out_rmse[target.index], 2)} (leave one out)`
+        : null;
     const spread = fit && known(fit.replicate_sd[target.index])
         ? `between repeated runs ± ${number(fit.replicate_sd[target.index], 2)}` : null;
     const remark = [quality, spread].filter(Boolean).join(', ');

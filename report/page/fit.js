@@ -14,11 +14,13 @@ function show_fit(parent) {
     const left = element('div'), right = element('div');
     columns.append(left, right);
     parent.append(columns);
-    left.append(element('h3', {}, 'Factors'), factor_table(), element('h3', {}, 'Targets'), target_table());
+    left.append(element('h3', {}, 'Factors'), factor_table(), element('h3', {}, 'Targets'), target_table(),
+                ...targets_out_of_reach());
     show_deviations(right);
 }
 
-const verdicts = [['determined', 'good'], ['weakly determined', 'warn'], ['not determined by these targets', 'bad']];
+const verdicts = [['determined', 'good'], ['weakly determined', 'warn'], ['not determined by these targets', 'bad'],
+    ['fixed: inactive in the screening', '']];
 
 function factor_table() {
     const optimum = campaign.optimum;
@@ -52,6 +54,17 @@ function target_table() {
         ];
     });
     return simple_table(['response', 'measured', 'simulated', 'difference', 'scale', 'tolerance'], rows);
+}
+
+// Warnings of targets that no run came past, and of responses that never change.
+function targets_out_of_reach() {
+    const distances = campaign.optimum.out_of_reach || [];
+    const r2 = campaign.surrogate ? campaign.surrogate.leave_one_out_r2 : [];
+    const same = all_targets.filter((target) => target.index < r2.length && !known(r2[target.index])).map((target) =>
+        element('p', {class: 'bad'}, `${target.label} is the same in all runs: no factor acts on it.`));
+    return same.concat(all_targets.filter((target) => distances[target.index]).map((target) => element('p', {class: 'bad'},
+        `No run reached the target of ${target.label}: it is ${distances[target.index] > 0 ? 'above' : 'below'} all of `
+        + `them by ${number(Math.abs(distances[target.index]), 3)}.`)));
 }
 
 function simple_table(heads, rows) {

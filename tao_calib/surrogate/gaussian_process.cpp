@@ -65,15 +65,14 @@ Correlation most_likely(Samples const& samples)
         VectorXd::Constant(k + 1, std::log(shortest)), VectorXd::Constant(k + 1, std::log(longest))};
     BoundedFunction bounded = function;
     bounded.lower[k] = std::log(least_noise), bounded.upper[k] = std::log(most_noise);
-    constexpr std::array<std::array<double, 2>, 5> starts{
-        {{0.3, 1e-2}, {1.0, 1e-6}, {1.0, 0.1}, {3.0, 1e-3}, {0.15, 1e-5}}};
+    constexpr std::array<std::array<double, 2>, 3> starts{{{0.3, 1e-2}, {1.0, 1e-6}, {2.5, 1e-2}}};
     BoundedMinimum best;
     best.value = std::numeric_limits<double>::infinity();
     for (auto const& [length, noise] : starts) {
         VectorXd start = VectorXd::Constant(k + 1, std::log(length));
         start[k] = std::log(noise);
         auto found = minimise(Minimiser::quasi_newton, bounded, start,
-                              {.tolerance = 1e-6, .evaluations = 150});
+                              {.tolerance = 1e-5, .evaluations = 80});
         if (found.value < best.value)
             best = std::move(found);
     }

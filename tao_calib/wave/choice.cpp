@@ -33,6 +33,11 @@ bool Choice::is_new(VectorXd const& unit) const
     return distance(unit) > 0.02 * std::sqrt(unit.size());
 }
 
+bool Choice::is_other(VectorXd const& unit) const
+{
+    return distance(unit) > 0.001 * std::sqrt(unit.size());
+}
+
 void Choice::take(VectorXd const& unit)
 {
     points_.push_back(cube_.to_design_point(unit));

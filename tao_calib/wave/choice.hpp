@@ -16,6 +16,8 @@ class Choice
     double distance(Eigen::VectorXd const& unit) const;
     //! Closer is a near-duplicate: it costs a run and says little that is new.
     bool is_new(Eigen::VectorXd const& unit) const;
+    //! Nearer than that even a smooth response is the same.
+    bool is_other(Eigen::VectorXd const& unit) const;
     void take(Eigen::VectorXd const& unit);
 
     int size() const { return static_cast<int>(points_.size()); }

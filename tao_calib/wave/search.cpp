@@ -74,9 +74,10 @@ void take_minima(Assessment const& assessment, Feasibility const& feasibility, i
                                 : std::numeric_limits<double>::infinity();
     for (auto const& minimum : assessment.minima()) {
         bool const first = &minimum == &assessment.minima().front();
+        bool const promises = minimum.sum_of_squares < to_beat;
         VectorXd const unit = choice.simulated(minimum.point);
-        if (choice.size() < most && choice.is_new(unit) && feasibility.chance(unit) > 0.5 &&
-            (first || minimum.sum_of_squares < to_beat))
+        bool const apart = choice.is_new(unit) || (first && promises && choice.is_other(unit));
+        if (choice.size() < most && apart && feasibility.chance(unit) > 0.5 && (first || promises))
             choice.take(unit);
     }
 }

@@ -20,8 +20,8 @@ std::vector<CampaignTarget> further_responses(ensemble::CampaignInput const& inp
     std::vector<CampaignTarget> further;
     for (std::size_t e = 0; e < input.experiments.size(); ++e) {
         auto const& experiment = input.experiments[e];
-        for (std::size_t r = 0; r < experiment.rig->responses.size(); ++r) {
-            auto const& response = experiment.rig->responses[r];
+        for (std::size_t r = 0; r < experiment.responses.size(); ++r) {
+            auto const& response = experiment.responses[r];
             bool const targeted =
                 std::any_of(experiment.targets.begin(), experiment.targets.end(), [&](auto const& target) {
                     return target.response_index == static_cast<int>(r);

@@ -52,6 +52,20 @@ TEST(Document, nests_the_arrays_of_the_calibration)
     EXPECT_DOUBLE_EQ(surrogate["slices"][1][0][0], 6.75);
 }
 
+TEST(Document, holds_where_targets_are_met_and_what_trades_off)
+{
+    auto const document = sample_document();
+    auto const& findings = document["findings"];
+    EXPECT_EQ(findings["by_tolerance"], true);
+    EXPECT_EQ(findings["part_shares"].size(), 2u);
+    EXPECT_DOUBLE_EQ(findings["part_upper"][0][1], 0.4);
+    EXPECT_EQ(findings["separated_by"][0][1], 2); // porosity, which is simulated and no target
+    EXPECT_DOUBLE_EQ(document["optimum"]["out_of_reach"][2], -0.4);
+    EXPECT_DOUBLE_EQ(document["screening"]["p_values"][1][2], 0.8);
+    EXPECT_DOUBLE_EQ(document["screening"]["fixed_value"][2], 30);
+    EXPECT_TRUE(document_of(test::campaign_under_way(), test::sample_details)["findings"].is_null());
+}
+
 TEST(Document, shows_a_run_at_the_best_point_of_each_experiment)
 {
     auto const details = sample_document()["details"];

@@ -111,6 +111,10 @@ TEST(Render, finished_campaign)
     EXPECT_EQ(count_of(page, "<tr class=\"failed\""), 1);
     EXPECT_EQ(count_of(page, "<tr class=\"best\""), 4);
     EXPECT_NE(page.find("no better point in 4 waves"), std::string::npos);
+    for (char const* finding :
+         {"in 2 separate regions", "trade off (correlation", "measuring slow: porosity", "inactive, kept at 30",
+          "by 0.4.", "radial basis functions, error"})
+        EXPECT_NE(page.find(finding), std::string::npos) << finding;
 }
 
 TEST(Render, campaign_under_way)

@@ -21,6 +21,7 @@ StandIn design_of(StandIn::Formula const& formula, rig::RigInfo const& rig, std:
     ensemble::Experiment experiment;
     experiment.name = "bench";
     experiment.rig = &rig;
+    experiment.responses = rig.responses;
     for (std::size_t t = 0; t < targets.size(); ++t)
         experiment.targets.push_back(
             {rig.responses[t].name, static_cast<int>(t), targets[t], 1, 0.02, tolerance});
@@ -149,6 +150,19 @@ TEST(OutOfReach, SaysByHowMuch)
     EXPECT_LT(distance, 0.5);
     EXPECT_NE(summary(stand_in.campaign).find("no run reached the target of bench.y: it is above"),
               std::string::npos);
+}
+
+TEST(Summary, WarnsOfAResponseThatNothingActsOn)
+{
+    static auto const rig = response_names({"y", "dead"});
+    auto stand_in = design_of(
+        [](std::vector<double> const& f, int) {
+            return std::vector<double>{f[0], 3};
+        },
+        rig, {0.5, 3}, none);
+    stand_in.advance();
+    EXPECT_NE(summary(stand_in.campaign).find("bench.dead is the same in all runs"), std::string::npos)
+        << summary(stand_in.campaign);
 }
 
 } // namespace

@@ -28,6 +28,7 @@ StandIn powder(double scatter)
     ensemble::Experiment experiment;
     experiment.name = "drum";
     experiment.rig = &rig;
+    experiment.responses = rig.responses;
     experiment.replicates = 2;
     experiment.targets = {{"break", 0, 26.5, 0.5, 0.2, none}, {"rest", 1, 23.0, 0.5, 0.2, none}};
     input.experiments = {experiment};

@@ -46,6 +46,7 @@ TEST(DirectSearch, AsksForAllInterpolationPointsAtOnceAndComesToAnEnd)
     ensemble::Experiment experiment;
     experiment.name = "bench";
     experiment.rig = &rig;
+    experiment.responses = rig.responses;
     double const none = std::numeric_limits<double>::quiet_NaN();
     experiment.targets = {{"sum", 0, 1.1, 0.1, none, none}, {"difference", 1, 0.3, 0.1, none, none}};
     input.experiments = {experiment};
@@ -142,6 +143,7 @@ TEST(Feasibility, KeepsTheSearchOutOfWhereRunsFail)
     ensemble::Experiment experiment;
     experiment.name = "bench";
     experiment.rig = &rig;
+    experiment.responses = rig.responses;
     double const none = std::numeric_limits<double>::quiet_NaN();
     experiment.targets = {{"sum", 0, 0.75, 0.05, none, none}, {"difference", 1, -0.15, 0.05, none, none}};
     input.experiments = {experiment};
