@@ -43,8 +43,8 @@ std::string rendered(ensemble::Campaign const& campaign)
         std::string("timeout 120 ") + CHROMIUM +
         " --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --disable-quic --no-first-run"
         " --disable-background-networking --disable-component-update --disable-sync --user-data-dir=" +
-        (folder.path() / "profile").string() + " --virtual-time-budget=20000 --dump-dom file://" + page.string() + " > " +
-        result.string() + " 2> /dev/null";
+        (folder.path() / "profile").string() + " --virtual-time-budget=20000 --dump-dom file://" +
+        page.string() + " > " + result.string() + " 2> /dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
     std::stringstream text;
     text << std::ifstream(result).rdbuf();
@@ -79,7 +79,8 @@ void expect_no_error(std::string const& page)
 int count_of(std::string const& page, std::string const& piece)
 {
     int count = 0;
-    for (auto at = page.find(piece); at != std::string::npos; at = page.find(piece, at + 1)) ++count;
+    for (auto at = page.find(piece); at != std::string::npos; at = page.find(piece, at + 1))
+        ++count;
     return count;
 }
 
@@ -90,7 +91,8 @@ TEST(Render, finished_campaign)
     auto const page = rendered(test::sample_campaign());
     expect_no_error(page);
     auto const marks = marks_of(page);
-    for (auto const& [plot, count] : marks) EXPECT_GT(count, 0) << plot;
+    for (auto const& [plot, count] : marks)
+        EXPECT_GT(count, 0) << plot;
 
     // 3 tolerance bands and 3 errors bars, 1 zero line, 6 single values (4 runs, 2 of them with two targets),
     // 3 diamonds, 3 means.
@@ -105,15 +107,16 @@ TEST(Render, finished_campaign)
     EXPECT_EQ(marks.at("response-0-2-cohesion"), 11); // without a target
     EXPECT_EQ(marks.at("series-0-upper_mass_kg"), 1);
     EXPECT_EQ(marks.at("timing"), 24 + 2);
-    EXPECT_EQ(marks.at("picture-1-final"), 600 + 3); // particles, two sides and the floor; the pane is not drawn
+    EXPECT_EQ(marks.at("picture-1-final"),
+              600 + 3 +
+                  2); // particles, two sides and the floor, two lines of a curved wall; the pane is not drawn
     // Four of the fit, two experiments with three responses against three factors, series, timing, pictures.
     EXPECT_EQ(marks.size(), 4u + 2u * 3u * 3u + 2u + 1u + 4u);
     EXPECT_EQ(count_of(page, "<tr class=\"failed\""), 1);
     EXPECT_EQ(count_of(page, "<tr class=\"best\""), 4);
     EXPECT_NE(page.find("no better point in 4 waves"), std::string::npos);
-    for (char const* finding :
-         {"in 2 separate regions", "trade off (correlation", "measuring slow: porosity", "inactive, kept at 30",
-          "by 0.4.", "radial basis functions, error"})
+    for (char const* finding : {"in 2 separate regions", "trade off (correlation", "measuring slow: porosity",
+                                "inactive, kept at 30", "by 0.4.", "radial basis functions, error"})
         EXPECT_NE(page.find(finding), std::string::npos) << finding;
 }
 
@@ -122,7 +125,8 @@ TEST(Render, campaign_under_way)
     auto const page = rendered(test::campaign_under_way());
     expect_no_error(page);
     auto const marks = marks_of(page);
-    for (auto const& [plot, count] : marks) EXPECT_GT(count, 0) << plot;
+    for (auto const& [plot, count] : marks)
+        EXPECT_GT(count, 0) << plot;
     EXPECT_EQ(marks.count("deviations"), 0u);
     EXPECT_EQ(marks.at("timing"), 5 + 1);
     // Band, target and the three runs of the first experiment that finished.
