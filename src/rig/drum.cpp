@@ -249,18 +249,19 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
 {
     DrumSetup const setup(input);
     double const beyond = 1.5 * setup.drum.radius;
-    dem::Simulation simulation(setup.model, {.time_step = setup.time_step,
-                                             .skin = setup.skin,
-                                             .domain_lower = {-beyond, -setup.drum.width, -beyond},
-                                             .domain_upper = {beyond, setup.drum.width, beyond},
-                                             .periodic = periods(setup)});
+    dem::Simulation simulation(setup.model,
+                               with_energy_options({.time_step = setup.time_step,
+                                                    .skin = setup.skin,
+                                                    .domain_lower = {-beyond, -setup.drum.width, -beyond},
+                                                    .domain_upper = {beyond, setup.drum.width, beyond},
+                                                    .periodic = periods(setup)},
+                                                   input.experiment));
     add_walls(simulation, setup);
     Sampling const sampling(setup, expected_particles(setup));
     StageRunner stages(simulation, hooks, static_cast<double>(sampling.steps_per_check) * setup.time_step);
     auto const finish = [&] {
         result.particles = static_cast<std::int64_t>(simulation.particles().size());
-        result.steps = simulation.steps_done();
-        result.simulated_time = simulation.time();
+        record_end(simulation, result);
     };
     try {
         fill(simulation, stages, setup, input.seed);

@@ -179,8 +179,8 @@ std::vector<OptionSpec> drum_options()
          .lower = 1e-3,
          .upper = 2.0},
     };
-    for (auto& spec : time_step_options())
-        specs.push_back(std::move(spec));
+    for (auto const& common : {time_step_options(), energy_options()})
+        specs.insert(specs.end(), common.begin(), common.end());
     return specs;
 }
 

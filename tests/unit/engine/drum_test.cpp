@@ -103,6 +103,21 @@ TEST(Drum, EnergyIsThatOfTheBedThatTheCameraSees)
     EXPECT_EQ(result.snapshots.size(), 2u);
 }
 
+TEST(Drum, TheEnergyLedgerClosesAndChangesNothing)
+{
+    auto input = small_drum();
+    auto const without = run(input);
+    input.experiment.set("energy_ledger", true);
+    auto const with = run(input);
+    ASSERT_EQ(with.status, rig::RunStatus::finished) << with.reason;
+    EXPECT_FALSE(without.energy.has_value());
+    ASSERT_TRUE(with.energy.has_value());
+    EXPECT_LT(std::abs(with.energy->closure_error()), 0.005);
+    EXPECT_GT(with.energy->work_of_walls, 0);
+    EXPECT_GT(with.energy->lost_to_friction, 0);
+    EXPECT_EQ(with.responses, without.responses);
+}
+
 TEST(Drum, ABedWithoutFrictionStaysLevel)
 {
     auto const named = responses(run(small_drum(0)));
