@@ -94,6 +94,7 @@ TEST_F(SessionTest, ResponsesAreThoseOfTheRigItself)
     }
     EXPECT_EQ(campaign.waves[1].purpose, "search");
     EXPECT_EQ(campaign.waves[0].groups, size_of(MPI_COMM_WORLD));
+    MPI_Barrier(MPI_COMM_WORLD); // rank 0 tidies up last
     EXPECT_FALSE(std::filesystem::exists(file_.string() + ".parts"));
     EXPECT_FALSE(std::filesystem::exists(file_.string() + ".new"));
     EXPECT_FALSE(std::filesystem::exists(file_.string() + ".lock"));
