@@ -1,11 +1,13 @@
 #include "tao_calib/design/d_optimal.hpp"
 
 #include "demens/base/error.hpp"
+#include "tao_calib/regression/regression.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 
 namespace demens::tao_calib {
@@ -144,6 +146,23 @@ double information(FactorSpace const& space, std::vector<Term> const& model, Mat
     return (matrix.transpose() * matrix).determinant();
 }
 
+namespace {
+
+//! Which terms alias at these points, as " (B^2 = constant)"; empty when it is a matter of rounding.
+std::string aliases_of(FactorSpace const& space, std::vector<Term> const& model, MatrixXd const& points)
+{
+    RegressionData data;
+    for (auto const& factor : space.factors())
+        data.factors.push_back(factor.name);
+    data.coded.resize(points.rows(), points.cols());
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+        data.coded.row(i) = space.coded(points.row(i).transpose()).transpose();
+    auto const aliases = aliased_terms(data, model);
+    return aliases.empty() ? "" : fmt::format(" ({})", fmt::join(aliases, "; "));
+}
+
+} // namespace
+
 MatrixXd d_optimal(FactorSpace const& space, std::vector<Term> const& model, DOptimalOptions const& options,
                    std::uint64_t seed)
 {
@@ -180,9 +199,9 @@ MatrixXd d_optimal(FactorSpace const& space, std::vector<Term> const& model, DOp
     // Terms are at most 1 in size, so that this is small only when some term is (almost) a sum of others.
     if (!(std::pow(information(space, model, all), 1.0 / static_cast<double>(terms)) > 1e-4))
         throw InputError(
-            fmt::format("no {} points on {} levels can tell the {} terms of the model apart: a quadratic "
+            fmt::format("no {} points on {} levels can tell the {} terms of the model apart{}: a quadratic "
                         "model needs three levels of every factor",
-                        points, options.levels, terms));
+                        points, options.levels, terms, aliases_of(space, model, all)));
     return added;
 }
 

@@ -88,7 +88,8 @@ int with_polynomial(TestFunction const& function, double enough, std::uint64_t s
 {
     int const k = function.factors;
     UnitCube const cube(std::vector<ensemble::Factor>(static_cast<std::size_t>(k), {"x", "x", 0.0, 1.0}), {});
-    for (int n = Polynomial::terms(SurrogateKind::quadratic, k) + 1; n + 1 < most; n = std::max(n + 2, n * 5 / 4)) {
+    constexpr int largest = 60; // what more points do not improve is beyond a quadratic
+    for (int n = Polynomial::terms(SurrogateKind::quadratic, k) + 1; n <= largest; n = std::max(n + 2, n * 5 / 4)) {
         Samples samples;
         samples.points = (maximin_latin_hypercube(n, k, derive_seed(seed, static_cast<std::uint64_t>(n)))
                               .cast<double>()
