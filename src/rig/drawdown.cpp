@@ -1,164 +1,18 @@
 #include "demens/rig/drawdown.hpp"
 
-#include "demens/base/error.hpp"
 #include "demens/observe/surface.hpp"
 #include "demens/rig/common.hpp"
 #include "demens/rig/stage.hpp"
 #include "demens/shape/packing.hpp"
+#include "src/rig/drawdown_setup.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <fmt/format.h>
 
 namespace demens::rig {
 namespace {
-
-//! The options as numbers in SI units. The origin is the middle of the slot on the floor of the upper box: x
-//! across the slot, y along it, z up.
-struct Drawdown
-{
-    explicit Drawdown(RunInput const& input);
-
-    double bed_height() const { return mass / (bulk_density * width * depth); } //!< [m]
-
-    contact::Model model, filling_model;
-    shape::SizeDistribution const& sizes;
-    std::string material, wood, glass;
-    double mass, density, bulk_density;           // [kg], [kg/m^3]
-    double width, depth, slot, drop, lower_width; // [m]
-    double gate_speed, end_speed, end_fraction;   // [m/s], [m/s], [-]
-    double longest, interval, time_step, skin;    // [s], [s], [s], [m]
-    double wedge_margin;                          // [-]
-};
-
-Drawdown::Drawdown(RunInput const& input)
-    : model(input.model), filling_model(input.model), sizes(size_distribution_of(input))
-{
-    OptionValues const& o = input.experiment;
-    material = o.text("material");
-    wood = o.text("wall_material");
-    glass = o.text("window_material");
-    for (auto const& other : {material, wood, glass})
-        require_pair(model, material, other);
-    mass = o.number("mass_kg");
-    density = model.materials[material_index(model, material)].density;
-    bulk_density = o.number("bulk_density");
-    width = 1e-3 * o.number("box_width_mm");
-    depth = 1e-3 * o.number("box_depth_mm");
-    slot = 1e-3 * o.number("slot_width_mm");
-    drop = 1e-3 * o.number("drop_height_mm");
-    lower_width = 1e-3 * o.number("lower_box_width_mm");
-    gate_speed = o.number("gate_speed_m_s");
-    end_speed = o.number("end_speed_m_s");
-    end_fraction = o.number("end_mass_fraction");
-    longest = o.number("longest_discharge_s");
-    interval = o.number("series_interval_s");
-    wedge_margin = o.number("line_margin");
-    time_step = chosen_time_step(o, model, material, sizes.smallest());
-    skin = o.number("skin") * 0.5 * sizes.largest();
-    double const filling = o.number("filling_friction");
-    for (auto& pair : filling_model.pairs) {
-        pair.static_friction = std::min(pair.static_friction, filling);
-        pair.kinetic_friction = std::min(pair.kinetic_friction, filling);
-        pair.rolling_friction = std::min(pair.rolling_friction, 0.1 * filling);
-    }
-}
-
-std::vector<OptionSpec> options()
-{
-    std::vector<OptionSpec> specs = {
-        {.key = "material",
-         .default_value = std::string(),
-         .doc = "material of the particles",
-         .required = true,
-         .names_entry_of = "material"},
-        {.key = "wall_material",
-         .default_value = std::string(),
-         .doc = "material of floors, sides and gate",
-         .required = true,
-         .names_entry_of = "material"},
-        {.key = "window_material",
-         .default_value = std::string(),
-         .doc = "material of the front and the back window",
-         .required = true,
-         .names_entry_of = "material"},
-        {.key = "size_distribution",
-         .default_value = std::string(),
-         .doc = "sizes of the particles",
-         .required = true,
-         .names_entry_of = "size_distribution"},
-        {.key = "mass_kg",
-         .default_value = 1.0,
-         .doc = "mass filled in [kg]",
-         .required = true,
-         .lower = 1e-9},
-        {.key = "bulk_density",
-         .default_value = 1500.0,
-         .doc = "bulk density of the levelled bed [kg/m^3]; with the mass it gives the bed height",
-         .required = true,
-         .lower = 1e-3},
-        {.key = "box_width_mm",
-         .default_value = 548.0,
-         .doc = "inner width of the upper box [mm]",
-         .lower = 1e-3},
-        {.key = "box_depth_mm", .default_value = 97.5, .doc = "distance of the windows [mm]", .lower = 1e-3},
-        {.key = "slot_width_mm",
-         .default_value = 86.0,
-         .doc = "width of the slot in the upper floor [mm]",
-         .lower = 1e-3},
-        {.key = "drop_height_mm",
-         .default_value = 500.0,
-         .doc = "from the upper to the lower floor [mm]",
-         .lower = 1e-3},
-        {.key = "lower_box_width_mm",
-         .default_value = 548.0,
-         .doc = "inner width of the lower box [mm]",
-         .lower = 1e-3},
-        {.key = "gate_speed_m_s",
-         .default_value = 1.0,
-         .doc = "speed at which each half of the gate slides open [m/s]",
-         .lower = 1e-3},
-        {.key = "filling_friction",
-         .default_value = 0.1,
-         .doc =
-             "largest friction while the bed is filled and levelled [-], so that it reaches its bulk density",
-         .lower = 0.0},
-        {.key = "end_speed_m_s",
-         .default_value = 0.2,
-         .doc = "the run ends when no particle is faster [m/s]",
-         .lower = 1e-6},
-        {.key = "end_mass_fraction",
-         .default_value = 0.75,
-         .doc = "... and less than this fraction of the mass is in the upper box [-]",
-         .lower = 0.0,
-         .upper = 1.0},
-        {.key = "longest_discharge_s",
-         .default_value = 30.0,
-         .doc = "a discharge that takes longer is a failed run [s]",
-         .lower = 1e-3},
-        {.key = "line_margin",
-         .default_value = 0.1,
-         .doc = "part of a slope's width left out at either end when its line is fitted [-]",
-         .lower = 0.0,
-         .upper = 0.4},
-        {.key = "series_interval_s",
-         .default_value = 0.02,
-         .doc = "time between two entries of the mass curve [s]",
-         .lower = 1e-4,
-         .upper = 1.0},
-        {.key = "skin",
-         .default_value = 0.3,
-         .doc = "reach of the neighbour lists beyond contact over the largest radius [-]",
-         .lower = 1e-3,
-         .upper = 2.0},
-    };
-    for (auto const& common : {time_step_options(), energy_options()})
-        specs.insert(specs.end(), common.begin(), common.end());
-    return specs;
-}
 
 //! Walls that are moved or removed while the rig works.
 struct MovingWalls
@@ -166,7 +20,7 @@ struct MovingWalls
     std::uint32_t gate_left, gate_right, lid;
 };
 
-MovingWalls add_walls(dem::Simulation& simulation, Drawdown const& rig, double top)
+MovingWalls add_walls(dem::Simulation& simulation, DrawdownSetup const& rig, double top)
 {
     std::uint32_t const wood = material_index(rig.model, rig.wood),
                         glass = material_index(rig.model, rig.glass);
@@ -238,7 +92,8 @@ double mean_kinetic_energy(dem::Simulation const& simulation)
 }
 
 //! Rain, rest, and a lid that levels the bed to its height.
-void fill(dem::Simulation& simulation, StageRunner& stages, Drawdown const& rig, MovingWalls const& moving)
+void fill(dem::Simulation& simulation, StageRunner& stages, DrawdownSetup const& rig,
+          MovingWalls const& moving)
 {
     simulation.set_model(rig.filling_model);
     // At rest: the mean particle could not rise by a thousandth of a diameter.
@@ -319,7 +174,7 @@ double mass_flow(std::vector<double> const& time, std::vector<double> const& mas
 
 void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
 {
-    Drawdown const rig(input);
+    DrawdownSetup const rig(input);
     RandomStream size_stream(derive_seed(input.seed, 1)), place_stream(derive_seed(input.seed, 2));
     auto const diameters = rig.sizes.sample_mass(rig.mass, rig.density, size_stream);
     result.particles = static_cast<std::int64_t>(diameters.size());
@@ -408,48 +263,6 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
     record_end(simulation, result);
 }
 
-void check(RunInput const& input)
-{
-    Drawdown const rig(input);
-    if (rig.slot >= rig.width)
-        throw InputError(fmt::format("slot_width_mm = {:.4g} must be smaller than box_width_mm = {:.4g}",
-                                     1e3 * rig.slot, 1e3 * rig.width));
-    if (rig.lower_width < rig.slot)
-        throw InputError(fmt::format("lower_box_width_mm = {:.4g} must be at least slot_width_mm = {:.4g}",
-                                     1e3 * rig.lower_width, 1e3 * rig.slot));
-    if (rig.bulk_density >= 0.74 * rig.density)
-        throw InputError(
-            fmt::format("bulk_density = {:.5g} kg/m^3 cannot be reached: spheres of density {:.5g} kg/m^3 "
-                        "pack to at most 0.74 of it",
-                        rig.bulk_density, rig.density));
-    double const largest = rig.sizes.largest();
-    for (auto const& [key, room] :
-         {std::pair{"box_depth_mm", rig.depth}, std::pair{"slot_width_mm", rig.slot}})
-        if (room < 1.05 * largest)
-            throw InputError(
-                fmt::format("no room for the particles: {} = {:.4g} must be larger than the largest "
-                            "particle, {:.4g} mm",
-                            key, 1e3 * room, 1e3 * largest));
-    // Even a flat heap of all that can leave must stay below the gate.
-    double const heap = rig.mass / (rig.bulk_density * rig.lower_width * rig.depth);
-    if (heap > rig.drop)
-        throw InputError(
-            fmt::format("no room for the particles: the lower box ({:.4g} mm wide, {:.4g} mm high) does not "
-                        "hold {:.4g} kg; make lower_box_width_mm or drop_height_mm larger",
-                        1e3 * rig.lower_width, 1e3 * rig.drop, rig.mass));
-}
-
-double predict_cost(RunInput const& input)
-{
-    Drawdown const rig(input);
-    double const d = rig.sizes.quantile(0.5);
-    double const particles = rig.mass / (rig.density * std::numbers::pi / 6 * d * d * d);
-    // Filling takes about a second; a slot passes about rho sqrt(g) D (b - 1.4 d)^1.5 (Beverloo et al. 1961).
-    double const opening = std::max(rig.slot - 1.4 * d, 0.2 * rig.slot);
-    double const flow = 1.03 * rig.bulk_density * std::sqrt(9.81) * rig.depth * std::pow(opening, 1.5);
-    return particles * (1.5 + 0.75 * rig.mass / flow) / rig.time_step;
-}
-
 } // namespace
 
 RigInfo drawdown_rig()
@@ -457,7 +270,7 @@ RigInfo drawdown_rig()
     return {
         .name = "drawdown",
         .doc = "Draw Down Test: a box empties through a slot into a box below (Roessler et al. 2019)",
-        .options = options(),
+        .options = drawdown_options(),
         .responses = {{"angle_of_repose_deg", "deg",
                        "slope of the heap in the lower box, mean of both sides"},
                       {"shear_angle_deg", "deg", "slope of the wedges left in the upper box, mean of both"},
@@ -465,11 +278,12 @@ RigInfo drawdown_rig()
                       {"final_mass_kg", "kg", "mass left in the upper box"},
                       {"bulk_density_kg_m3", "kg/m^3", "of the levelled bed, before the gate opens"},
                       {"discharge_time_s", "s", "from the opening of the gate to the end of the run"}},
-        .check = check,
-        .predict_cost = predict_cost,
-        .run = [](RunInput const& input, RunHooks const& hooks) {
-            return run_guarded(6, [&](RunResult& result) { run(input, hooks, result); });
-        }};
+        .check = [](RunInput const& input) { check_drawdown(DrawdownSetup(input)); },
+        .predict_cost = [](RunInput const& input) { return drawdown_cost(DrawdownSetup(input)); },
+        .run =
+            [](RunInput const& input, RunHooks const& hooks) {
+                return run_guarded(6, [&](RunResult& result) { run(input, hooks, result); });
+            }};
 }
 
 } // namespace demens::rig
