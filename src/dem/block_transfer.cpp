@@ -47,12 +47,18 @@ struct LoadRows
     Four force[4], torque_i[4], torque_j[4];
 };
 
+//! The force acts at the contact point, -arm_i n from i and arm_j n from j.
 DEMENS_INLINE LoadRows load_rows(ContactBlock const& b, int l)
 {
     Four const zero{};
-    LoadRows rows{{load_four(b.fx + l), load_four(b.fy + l), load_four(b.fz + l), zero},
-                  {load_four(b.tix + l), load_four(b.tiy + l), load_four(b.tiz + l), zero},
-                  {load_four(b.tjx + l), load_four(b.tjy + l), load_four(b.tjz + l), zero}};
+    Four const nx = load_four(b.nx + l), ny = load_four(b.ny + l), nz = load_four(b.nz + l);
+    Four const fx = load_four(b.fx + l), fy = load_four(b.fy + l), fz = load_four(b.fz + l);
+    Four const mx = load_four(b.mx + l), my = load_four(b.my + l), mz = load_four(b.mz + l);
+    Four const ai = load_four(b.arm_i + l), aj = load_four(b.arm_j + l);
+    Four const cx = ny * fz - nz * fy, cy = nz * fx - nx * fz, cz = nx * fy - ny * fx; // n x f
+    LoadRows rows{{fx, fy, fz, zero},
+                  {mx - ai * cx, my - ai * cy, mz - ai * cz, zero},
+                  {-(mx + aj * cx), -(my + aj * cy), -(mz + aj * cz), zero}};
     transpose(rows.force[0], rows.force[1], rows.force[2], rows.force[3]);
     transpose(rows.torque_i[0], rows.torque_i[1], rows.torque_i[2], rows.torque_i[3]);
     transpose(rows.torque_j[0], rows.torque_j[1], rows.torque_j[2], rows.torque_j[3]);
@@ -70,7 +76,7 @@ DEMENS_INLINE void subtract_from(double* sum, Four const& row)
 
 template <bool periodic>
 DEMENS_MULTIVERSION void gather_pairs_into(ContactBlock& b, ContactList const& list, Place const* places,
-                                           Motion const* motions, Periods const& periods)
+                                           Motion const* motions, Load const* loads, Periods const& periods)
 {
     constexpr double never = std::numeric_limits<double>::infinity();
     Four const half{periods.x.half(), periods.y.half(), never, never};
@@ -83,6 +89,7 @@ DEMENS_MULTIVERSION void gather_pairs_into(ContactBlock& b, ContactList const& l
             std::uint32_t const slot = slot_of(b, l + k);
             std::uint32_t const i = list.first[slot], j = list.second[slot];
             place_i[k] = load_four(&places[i].x), place_j[k] = load_four(&places[j].x);
+            __builtin_prefetch(&loads[j], 1); // for the scatter
             motion_i[k] = load_four(&motions[i].vx), motion_j[k] = load_four(&motions[j].vx);
             spin_i[k] = load_four(&motions[i].wx), spin_j[k] = load_four(&motions[j].wx);
             // The fourth number of each record, radius or mass, travels in the place of a difference not
@@ -123,30 +130,82 @@ DEMENS_MULTIVERSION void scatter_pairs_from(ContactBlock const& b, ContactList& 
     }
 }
 
-} // namespace
+//! First lane after `from` that touches another wall.
+DEMENS_INLINE int end_of_wall(ContactBlock const& b, ContactList const& list, int from)
+{
+    int end = from + 1;
+    while (end < b.count && list.second[b.slot[end]] == list.second[b.slot[from]])
+        ++end;
+    return end;
+}
 
-void prefetch_contacts(ContactList const& list, std::uint32_t const* slot, std::uint32_t const* end,
-                       Particles const& particles)
+DEMENS_MULTIVERSION void gather_wall_contacts_into(ContactBlock& b, ContactList const& list,
+                                                   Place const* places, Motion const* motions,
+                                                   Wall const* walls)
 {
     auto const stride = static_cast<std::size_t>(list.state_size);
-    for (; slot < end; ++slot) {
-        char const* state = reinterpret_cast<char const*>(list.state.data() + *slot * stride);
-        __builtin_prefetch(state, 1);
-        __builtin_prefetch(state + 64, 1);
-        if (list.with_wall)
-            continue;
-        std::uint32_t const j = list.second[*slot];
-        __builtin_prefetch(&particles.place[j]);
-        __builtin_prefetch(&particles.motion[j]);
-        __builtin_prefetch(&particles.load[j], 1);
+    int const padded = ContactBlock::padded(b.count);
+    ContactBlock::Lane x, y, z;
+    for (int l = 0; l < padded; l += 4) {
+        Four place[4], motion[4], spin[4];
+        for (int k = 0; k < 4; ++k) {
+            std::uint32_t const slot = slot_of(b, l + k), i = list.first[slot];
+            place[k] = load_four(&places[i].x);
+            motion[k] = load_four(&motions[i].vx);
+            spin[k] = load_four(&motions[i].wx);
+            Vector3 const& offset = list.offset[slot];
+            b.dx[l + k] = offset.x, b.dy[l + k] = offset.y, b.dz[l + k] = offset.z;
+        }
+        spread(place[0], place[1], place[2], place[3], x + l, y + l, z + l, b.radius_i + l);
+        spread(motion[0], motion[1], motion[2], motion[3], b.vx + l, b.vy + l, b.vz + l, b.mass_i + l);
+        // The moment of inertia goes where the mass of a wall is written below.
+        spread(spin[0], spin[1], spin[2], spin[3], b.wix + l, b.wiy + l, b.wiz + l, b.mass_j + l);
+        load_history(b, l, list.state.data(), stride);
+    }
+    for (int from = 0, to; from < b.count; from = to) {
+        to = end_of_wall(b, list, from);
+        Wall const& wall = walls[list.second[b.slot[from]]];
+        Vector3 const moving = wall.velocity + wall.belt, spin = wall.spin, pivot = wall.pivot;
+        for (int l = from; l < (to < b.count ? to : padded); ++l) {
+            Vector3 const arm = Vector3{x[l], y[l], z[l]} - Vector3{b.dx[l], b.dy[l], b.dz[l]} - pivot;
+            Vector3 const surface = moving + cross(spin, arm);
+            b.vx[l] -= surface.x, b.vy[l] -= surface.y, b.vz[l] -= surface.z;
+            b.wjx[l] = spin.x, b.wjy[l] = spin.y, b.wjz[l] = spin.z;
+            b.radius_j[l] = b.radius_i[l];
+            b.mass_j[l] = 1e300;
+        }
     }
 }
+
+DEMENS_MULTIVERSION void scatter_wall_contacts_from(ContactBlock const& b, ContactList& list,
+                                                    Place const* places, Load* loads, Wall const* walls,
+                                                    WallLoad* wall_loads)
+{
+    auto const stride = static_cast<std::size_t>(list.state_size);
+    for (int l = 0; l < b.count; l += 4) {
+        int const count = b.count - l < 4 ? b.count - l : 4;
+        LoadRows const rows = load_rows(b, l);
+        for (int k = 0; k < count; ++k) {
+            std::uint32_t const i = list.first[b.slot[l + k]], second = list.second[b.slot[l + k]];
+            add_to(&loads[i].fx, rows.force[k]);
+            add_to(&loads[i].tx, rows.torque_i[k]);
+            Vector3 const force{rows.force[k][0], rows.force[k][1], rows.force[k][2]};
+            Vector3 const torque{rows.torque_i[k][0], rows.torque_i[k][1], rows.torque_i[k][2]};
+            Vector3 const arm = Vector3{places[i].x, places[i].y, places[i].z} - walls[second].pivot;
+            wall_loads[second].force -= force;
+            wall_loads[second].torque -= cross(arm, force) + torque;
+        }
+        store_history(b, l, count, list.state.data(), stride);
+    }
+}
+
+} // namespace
 
 void gather_pairs(ContactBlock& block, ContactList const& list, Particles const& particles,
                   Periods const& periods)
 {
     auto const gather = periods.any() ? gather_pairs_into<true> : gather_pairs_into<false>;
-    gather(block, list, particles.place.data(), particles.motion.data(), periods);
+    gather(block, list, particles.place.data(), particles.motion.data(), particles.load.data(), periods);
 }
 
 void scatter_pairs(ContactBlock const& block, ContactList& list, Particles& particles)
@@ -154,47 +213,17 @@ void scatter_pairs(ContactBlock const& block, ContactList& list, Particles& part
     scatter_pairs_from(block, list, particles.load.data());
 }
 
-void gather_wall_contacts(ContactBlock& b, ContactList const& list, Particles const& particles,
+void gather_wall_contacts(ContactBlock& block, ContactList const& list, Particles const& particles,
                           std::vector<Wall> const& walls)
 {
-    auto const stride = static_cast<std::size_t>(list.state_size);
-    for (int l = 0; l < ContactBlock::padded(b.count); ++l) {
-        std::uint32_t const slot = slot_of(b, l);
-        Place const& p = particles.place[list.first[slot]];
-        Motion const& m = particles.motion[list.first[slot]];
-        Wall const& wall = walls[list.second[slot]];
-        Vector3 const offset = list.offset[slot];
-        Vector3 const surface = wall.surface_velocity(Vector3{p.x, p.y, p.z} - offset);
-        b.dx[l] = offset.x, b.dy[l] = offset.y, b.dz[l] = offset.z;
-        b.radius_i[l] = b.radius_j[l] = p.radius;
-        b.mass_i[l] = m.mass, b.mass_j[l] = 1e300;
-        b.vx[l] = m.vx - surface.x;
-        b.vy[l] = m.vy - surface.y;
-        b.vz[l] = m.vz - surface.z;
-        b.wix[l] = m.wx, b.wiy[l] = m.wy, b.wiz[l] = m.wz;
-        b.wjx[l] = wall.spin.x, b.wjy[l] = wall.spin.y, b.wjz[l] = wall.spin.z;
-    }
-    for (int l = 0; l < ContactBlock::padded(b.count); l += 4)
-        load_history(b, l, list.state.data(), stride);
+    gather_wall_contacts_into(block, list, particles.place.data(), particles.motion.data(), walls.data());
 }
 
-void scatter_wall_contacts(ContactBlock const& b, ContactList& list, Particles& particles,
+void scatter_wall_contacts(ContactBlock const& block, ContactList& list, Particles& particles,
                            std::vector<Wall> const& walls, std::vector<WallLoad>& wall_loads)
 {
-    auto const stride = static_cast<std::size_t>(list.state_size);
-    for (int l = 0; l < b.count; ++l) {
-        std::uint32_t const first = list.first[b.slot[l]], second = list.second[b.slot[l]];
-        Vector3 const force{b.fx[l], b.fy[l], b.fz[l]}, torque{b.tix[l], b.tiy[l], b.tiz[l]};
-        Load& i = particles.load[first];
-        i.fx += force.x, i.fy += force.y, i.fz += force.z;
-        i.tx += torque.x, i.ty += torque.y, i.tz += torque.z;
-        Place const& p = particles.place[first];
-        WallLoad& wall = wall_loads[second];
-        wall.force -= force;
-        wall.torque -= cross(Vector3{p.x, p.y, p.z} - walls[second].pivot, force) + torque;
-    }
-    for (int l = 0; l < b.count; l += 4)
-        store_history(b, l, b.count - l < 4 ? b.count - l : 4, list.state.data(), stride);
+    scatter_wall_contacts_from(block, list, particles.place.data(), particles.load.data(), walls.data(),
+                               wall_loads.data());
 }
 
 } // namespace demens::dem

@@ -6,12 +6,12 @@ namespace demens::dem {
 namespace {
 
 template <bool with_wall>
-DEMENS_MULTIVERSION double geometry_stage(ContactBlock& b)
+DEMENS_MULTIVERSION bool geometry_stage(ContactBlock& b, double overlap_limit)
 {
     // A wall is flat and cannot be moved: it adds neither curvature nor mass, and its point of contact is its
     // own.
     constexpr double partner = with_wall ? 0.0 : 1.0;
-    double largest[ContactBlock::lanes];
+    double excess[ContactBlock::lanes]; // of the overlap over its limit [m]
     int const padded = ContactBlock::padded(b.count);
 #pragma GCC ivdep
     for (int l = 0; l < padded; ++l) {
@@ -34,31 +34,36 @@ DEMENS_MULTIVERSION double geometry_stage(ContactBlock& b)
         double const vz = b.vz[l] - (ax * ny - ay * nx);
         double const vn = vx * nx + vy * ny + vz * nz;
         double const mi = b.mass_i[l], mj = b.mass_j[l];
-        double const roll_i = 1 / (1.4 * mi * ri * ri);
-        double const roll_j = partner / (1.4 * mj * rj * rj);
+        double const radius_sum = ri + rj, mass_sum = mi + mj;
+        double const per_sums = 1 / (radius_sum * mass_sum); // one division for both
+        double const radius = with_wall ? ri : ri * rj * mass_sum * per_sums;
+        double const mass = with_wall ? mi : mi * mj * radius_sum * per_sums;
+        double const contact_radius = std::sqrt(radius * overlap);
         b.nx[l] = nx, b.ny[l] = ny, b.nz[l] = nz;
         b.overlap[l] = overlap;
         b.gap[l] = overlap - depth;
         b.arm_i[l] = arm_i, b.arm_j[l] = arm_j;
         b.normal_velocity[l] = vn;
         b.tx[l] = vx - vn * nx, b.ty[l] = vy - vn * ny, b.tz[l] = vz - vn * nz;
-        b.effective_radius[l] = with_wall ? ri : ri * rj / (ri + rj);
-        b.effective_mass[l] = with_wall ? mi : mi * mj / (mi + mj);
-        b.rolling_inertia[l] = 1 / (roll_i + roll_j);
+        b.effective_radius[l] = radius;
+        b.contact_radius[l] = contact_radius;
+        b.effective_mass[l] = mass;
+        b.damping_scale[l] = std::sqrt(mass * contact_radius);
         b.mx[l] = b.my[l] = b.mz[l] = 0;
-        largest[l] = overlap / (ri < rj ? ri : rj);
+        excess[l] = overlap - overlap_limit * (ri < rj ? ri : rj);
     }
-    double result = 0;
+    double most = -1;
     for (int l = 0; l < padded; ++l)
-        result = largest[l] > result ? largest[l] : result;
-    return result;
+        most = excess[l] > most ? excess[l] : most;
+    return most > 0;
 }
 
 } // namespace
 
-double derive_geometry(ContactBlock& block, bool with_wall)
+bool derive_geometry(ContactBlock& block, bool with_wall, double overlap_limit)
 {
-    return with_wall ? geometry_stage<true>(block) : geometry_stage<false>(block);
+    return with_wall ? geometry_stage<true>(block, overlap_limit)
+                     : geometry_stage<false>(block, overlap_limit);
 }
 
 } // namespace demens::dem

@@ -59,6 +59,14 @@ constexpr int ledger_vectors_of_rolling()
     return history_is_load<Law>() && !has_dashpot<Law>() ? 0 : 1;
 }
 
+//! Of two bodies that roll on each other, about the contact point [kg m^2].
+DEMENS_INLINE double rolling_inertia(ContactBlock const& b, int l)
+{
+    double const i = 1.4 * b.mass_i[l] * b.radius_i[l] * b.radius_i[l];
+    double const j = 1.4 * b.mass_j[l] * b.radius_j[l] * b.radius_j[l];
+    return i / (1 + i / j); // a wall's mass is beyond any other
+}
+
 //! What the formulas read, from lane l.
 DEMENS_INLINE ContactKinematics kinematics(ContactBlock const& b, int l, double time_step)
 {
@@ -68,8 +76,10 @@ DEMENS_INLINE ContactKinematics kinematics(ContactBlock const& b, int l, double 
             .radius_i = b.radius_i[l],
             .radius_j = b.radius_j[l],
             .effective_radius = b.effective_radius[l],
+            .contact_radius = b.contact_radius[l],
             .effective_mass = b.effective_mass[l],
-            .rolling_inertia = b.rolling_inertia[l],
+            .damping_scale = b.damping_scale[l],
+            .rolling_inertia = rolling_inertia(b, l),
             .normal_velocity = b.normal_velocity[l],
             .tangent_velocity = {b.tx[l], b.ty[l], b.tz[l]},
             .relative_spin = {b.wix[l] - b.wjx[l], b.wiy[l] - b.wjy[l], b.wiz[l] - b.wjz[l]},
@@ -239,23 +249,6 @@ DEMENS_MULTIVERSION void rolling_stage(ContactBlock& b, Law const law, double ti
     }
 }
 
-//! Torques: the force acts at the contact point, -arm_i n from i and arm_j n from j.
-DEMENS_MULTIVERSION void torque_stage(ContactBlock& b)
-{
-    int const padded = ContactBlock::padded(b.count);
-#pragma GCC ivdep
-    for (int l = 0; l < padded; ++l) {
-        Vector3 const turning = cross({b.nx[l], b.ny[l], b.nz[l]}, {b.fx[l], b.fy[l], b.fz[l]});
-        double const ai = b.arm_i[l], aj = b.arm_j[l];
-        b.tix[l] = b.mx[l] - ai * turning.x;
-        b.tiy[l] = b.my[l] - ai * turning.y;
-        b.tiz[l] = b.mz[l] - ai * turning.z;
-        b.tjx[l] = -(b.mx[l] + aj * turning.x);
-        b.tjy[l] = -(b.my[l] + aj * turning.y);
-        b.tjz[l] = -(b.mz[l] + aj * turning.z);
-    }
-}
-
 template <bool ledger>
 void evaluate(ContactBlock& b, contact::LawSet const& laws, StateLayout const& at, double time_step)
 {
@@ -278,7 +271,6 @@ void evaluate(ContactBlock& b, contact::LawSet const& laws, StateLayout const& a
                 rolling_stage<ledger>(b, law, time_step, at.rolling, at.rolling_vector);
         },
         laws.rolling);
-    torque_stage(b);
 }
 
 } // namespace

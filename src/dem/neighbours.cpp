@@ -11,10 +11,10 @@
 
 namespace demens::dem {
 
-void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& walls, double skin,
-                              std::vector<ContactList>& lists)
+void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& walls,
+                              NeighbourReach const& reach, std::vector<ContactList>& lists)
 {
-    Grid const grid = make_grid(particles, skin);
+    Grid const grid = make_grid(particles, reach.candidates);
     sort_into_cells(particles, grid);
     index_old_contacts(particles.size(), lists);
     old_lists_.resize(lists.size());
@@ -24,24 +24,31 @@ void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& wal
         lists[k].clear();
     }
     if (periods_.any())
-        find_pairs<true>(particles, grid, skin, lists);
+        find_pairs<true>(particles, grid, reach, lists);
     else
-        find_pairs<false>(particles, grid, skin, lists);
-    find_wall_contacts(particles, walls, skin, lists);
+        find_pairs<false>(particles, grid, reach, lists);
+    find_wall_contacts(particles, walls, reach.candidates, lists);
 }
 
 NeighbourSearch::Grid NeighbourSearch::make_grid(Particles const& particles, double skin) const
 {
-    Vector3 lower{0, 0, 0}, upper{0, 0, 0};
+    std::array<double, 3> low{}, high{};
     double largest = 0;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         Place const& p = particles.place[i];
-        if (i == 0)
-            lower = upper = {p.x, p.y, p.z};
-        lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
-        upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
+        std::array<double, 3> const at{p.x, p.y, p.z};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = i == 0 ? at[axis] : std::min(low[axis], at[axis]);
+            high[axis] = i == 0 ? at[axis] : std::max(high[axis], at[axis]);
+        }
         largest = std::max(largest, p.radius);
     }
+    std::array<int, 3> axes{0, 1, 2};
+    if (!periods_.any())
+        std::stable_sort(axes.begin(), axes.end(),
+                         [&](int a, int b) { return high[a] - low[a] < high[b] - low[b]; });
+    Vector3 lower{low[axes[0]], low[axes[1]], low[axes[2]]};
+    Vector3 const upper{high[axes[0]], high[axes[1]], high[axes[2]]};
     double const reach = 2 * largest + skin;
     for (auto const& [name, period] : {std::pair{"x", periods_.x}, std::pair{"y", periods_.y}})
         if (period.on() && period.length() < 2 * reach)
@@ -69,6 +76,7 @@ NeighbourSearch::Grid NeighbourSearch::make_grid(Particles const& particles, dou
     for (; n.x * n.y * n.z > most; n = cells())
         cell *= 1.5;
     return {
+        axes,
         lower,
         {periods_.x.on() ? n.x / extent.x : 1 / cell, periods_.y.on() ? n.y / extent.y : 1 / cell, 1 / cell},
         static_cast<int>(n.x),
@@ -86,7 +94,7 @@ void NeighbourSearch::sort_into_cells(Particles& particles, Grid const& grid)
         return std::min(static_cast<int>(offset * per_length), count - 1);
     };
     for (std::size_t i = 0; i < n; ++i) {
-        Place const& p = particles.place[i];
+        Vector3 const p = grid(particles.place[i]);
         int const cx = along(p.x - grid.lower.x, grid.per_length.x, grid.nx);
         int const cy = along(p.y - grid.lower.y, grid.per_length.y, grid.ny);
         int const cz = along(p.z - grid.lower.z, grid.per_length.z, grid.nz);
@@ -140,7 +148,7 @@ void NeighbourSearch::index_old_contacts(std::size_t particles, std::vector<Cont
         [&](std::uint32_t owner, OldContact const& contact) { old_contacts_[next[owner]++] = contact; });
 }
 
-void NeighbourSearch::add_pair(ContactList& list, std::uint32_t i, std::uint32_t j)
+void NeighbourSearch::add_contact(ContactList& list, std::uint32_t i, std::uint32_t j)
 {
     list.add(i, j);
     restore_histories(list, list.size() - 1);
@@ -213,31 +221,28 @@ NeighbourSearch::ForwardCells NeighbourSearch::forward_cells(Grid const& grid, i
 }
 
 template <bool periodic>
-void NeighbourSearch::find_pairs(Particles const& particles, Grid const& grid, double skin,
+void NeighbourSearch::find_pairs(Particles const& particles, Grid const& grid, NeighbourReach const& reach,
                                  std::vector<ContactList>& lists)
 {
-    double const length_x = periods_.x.length(), length_y = periods_.y.length();
-    double const half_x = periods_.x.half(), half_y = periods_.y.half();
     auto const test_range = [&](std::uint32_t i, std::uint32_t from, std::uint32_t to) {
         Place const a = particles.place[i];
         std::uint32_t const* row = interaction_.data() + particles.material[i] * materials_;
         for (std::uint32_t j = from; j < to; ++j) {
             Place const& b = particles.place[j];
-            double dx = a.x - b.x, dy = a.y - b.y;
-            double const dz = a.z - b.z;
-            if constexpr (periodic) {
-                dx = nearest_image(dx, length_x, half_x);
-                dy = nearest_image(dy, length_y, half_y);
-            }
-            double const reach = a.radius + b.radius + skin;
-            if (dx * dx + dy * dy + dz * dz >= reach * reach)
+            double const squared = distance_squared<periodic>(a, b, periods_), touching = a.radius + b.radius;
+            double const furthest = touching + reach.candidates;
+            if (squared >= furthest * furthest)
                 continue;
             // Across a border a neighbour may come earlier in the order, as histories are filed.
-            if (periodic && j < i)
-                add_pair(lists[interaction_[particles.material[j] * materials_ + particles.material[i]]], j,
-                         i);
-            else
-                add_pair(lists[row[particles.material[j]]], i, j);
+            bool const reversed = periodic && j < i;
+            std::uint32_t const first = reversed ? j : i, second = reversed ? i : j;
+            ContactList& list =
+                lists[reversed ? interaction_[particles.material[j] * materials_ + particles.material[i]]
+                               : row[particles.material[j]]];
+            list.candidates.push_back({first, second});
+            double const near = touching + reach.contacts;
+            if (squared < near * near)
+                add_contact(list, first, second);
         }
     };
     std::uint32_t i = 0;
@@ -276,7 +281,7 @@ void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector
                           {found.near_triangles.data() + found.triangle_start[k],
                            found.triangle_start[k + 1] - found.triangle_start[k]});
             else
-                add_pair(list, i, w);
+                add_contact(list, i, w);
         }
     }
 }

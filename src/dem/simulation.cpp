@@ -13,6 +13,10 @@
 
 namespace demens::dem {
 
+namespace {
+constexpr double near_share = 0.25; // how far contacts reach beyond touch, over the skin
+}
+
 Simulation::Simulation(contact::Model const& model, SimulationOptions const& options)
     : options_(options), block_(std::make_unique<ContactBlock>()),
       meter_(options.energy_ledger ? std::make_unique<EnergyMeter>() : nullptr)
@@ -126,14 +130,15 @@ void Simulation::step()
 namespace {
 
 //! Leapfrog form of velocity Verlet: the velocity goes from the middle of one step to the middle of the next.
-//! Returns the largest speed squared.
-DEMENS_MULTIVERSION double move_particles(Place* place, Motion* motion, Load const* load, std::size_t count,
+//! Uses the loads up: leaves zeros to add the next ones to. Returns the largest speed squared.
+DEMENS_MULTIVERSION double move_particles(Place* place, Motion* motion, Load* load, std::size_t count,
                                           double kick, double time_step, Vector3 const& gravity)
 {
     double fastest = 0;
     for (std::size_t i = 0; i < count; ++i) {
         Motion& m = motion[i];
-        Load const& l = load[i];
+        Load const l = load[i];
+        load[i] = {};
         double const per_mass = kick / m.mass, per_inertia = kick / m.inertia;
         m.vx += l.fx * per_mass + kick * gravity.x;
         m.vy += l.fy * per_mass + kick * gravity.y;
@@ -217,8 +222,11 @@ void Simulation::search_neighbours()
     double furthest = 0;
     for (auto const& range : ranges_)
         furthest = std::max(furthest, range.gap);
-    search_->rebuild(particles_, walls_, options_.skin + furthest, lists_);
+    double const margin = near_share * options_.skin;
+    reach_ = {options_.skin + furthest, margin + furthest};
+    search_->rebuild(particles_, walls_, reach_, lists_);
     travelled_ = 0;
+    near_until_ = 0.5 * margin;
     list_is_stale_ = false;
     ++rebuilds_;
 }
@@ -235,8 +243,13 @@ void Simulation::update_ranges()
 
 void Simulation::compute_loads()
 {
-    std::fill(particles_.load.begin(), particles_.load.end(), Load{});
     std::fill(wall_loads_.begin(), wall_loads_.end(), WallLoad{});
+    if (travelled_ > near_until_) {
+        near_until_ = travelled_ + 0.5 * near_share * options_.skin;
+        for (ContactList& list : lists_)
+            if (!list.with_wall)
+                renewal_.renew(list, particles_, options_.periodic, reach_.contacts);
+    }
     for (ContactList& list : lists_)
         compute_contacts(list);
     if (meter_)
@@ -245,28 +258,29 @@ void Simulation::compute_loads()
 
 void Simulation::compute_contacts(ContactList& list)
 {
+    // Pairs are tested and evaluated in portions that stay in the cache from one to the other. Walls come at
+    // once: they are found one by one.
+    constexpr std::size_t portion = 512;
     std::size_t const count = list.size();
-    if (count == 0)
-        return;
-    if (touching_.size() < count + 1) {
-        touching_.resize(2 * count + 1);
-        parted_.resize(2 * count + 1);
+    std::size_t const most = list.with_wall ? count : std::min(count, portion);
+    if (touching_.size() < most + 1) {
+        touching_.resize(2 * most + 1);
+        parted_.resize(2 * most + 1);
     }
-    std::size_t now = 0, parted = 0;
-    contact::Range const range = ranges_[list.interaction];
-    if (!list.with_wall) {
-        std::tie(now, parted) =
-            test_pairs(list, particles_, options_.periodic, range, touching_.data(), parted_.data());
-    } else {
-        std::tie(now, parted) =
-            test_wall_contacts(list, particles_, walls_, range, travelled_, touching_.data(), parted_.data());
-    }
-    if (meter_)
-        evaluate_contacts(list, parted_.data(), parted); // no forces, but what they have lost in parting
+    contact::Range const& range = ranges_[list.interaction];
     auto const state_size = static_cast<std::size_t>(list.state_size);
-    for (std::size_t k = 0; k < parted; ++k)
-        std::fill_n(list.state.data() + parted_[k] * state_size, state_size, 0.0);
-    evaluate_contacts(list, touching_.data(), now);
+    for (std::size_t from = 0; from < count; from += most) {
+        auto const [now, parted] =
+            list.with_wall ? test_wall_contacts(list, particles_, walls_, range, travelled_, touching_.data(),
+                                                parted_.data())
+                           : test_pairs(list, {from, std::min(count, from + most)}, particles_,
+                                        options_.periodic, range, touching_.data(), parted_.data());
+        if (meter_)
+            evaluate_contacts(list, parted_.data(), parted); // no forces, but what they have lost in parting
+        for (std::size_t k = 0; k < parted; ++k)
+            std::fill_n(list.state.data() + parted_[k] * state_size, state_size, 0.0);
+        evaluate_contacts(list, touching_.data(), now);
+    }
 }
 
 void Simulation::evaluate_contacts(ContactList& list, std::uint32_t const* slots, std::size_t count)
@@ -277,13 +291,11 @@ void Simulation::evaluate_contacts(ContactList& list, std::uint32_t const* slots
     for (std::size_t from = 0; from < count; from += lanes) {
         block.count = static_cast<int>(std::min(lanes, count - from));
         std::copy_n(slots + from, block.count, block.slot);
-        prefetch_contacts(list, slots + std::min(count, from + lanes),
-                          slots + std::min(count, from + 2 * lanes), particles_);
         if (list.with_wall)
             gather_wall_contacts(block, list, particles_, walls_);
         else
             gather_pairs(block, list, particles_, options_.periodic);
-        largest_overlap_ = std::max(largest_overlap_, derive_geometry(block, list.with_wall));
+        overlapping_ |= derive_geometry(block, list.with_wall, options_.overlap_limit);
         evaluate_laws(block, laws, layouts_[list.interaction], options_.time_step);
         if (meter_)
             meter_->add_losses(block);
@@ -300,13 +312,12 @@ Health Simulation::check_health()
     for (std::size_t i = 0; i < particles_.size(); ++i)
         sum += particles_.place[i].x + particles_.place[i].y + particles_.place[i].z + particles_.load[i].fx +
                particles_.load[i].tx;
-    double const overlap = largest_overlap_;
-    largest_overlap_ = 0;
+    bool const overlapping = std::exchange(overlapping_, false);
     if (!std::isfinite(sum))
         return Health::not_a_number;
     if (left_domain_)
         return Health::escaped;
-    if (overlap > options_.overlap_limit)
+    if (overlapping)
         return Health::overlapping;
     bool const balanced = !meter_ || std::abs(energy().closure_error()) <= options_.closure_limit;
     return balanced ? Health::good : Health::unbalanced;

@@ -69,13 +69,17 @@ inline std::vector<Moment> collisions(int contacts, int moments)
             Vector3 const along{-std::sin(angle), std::cos(angle), 0};
             double const overlap = depth > 0 ? depth : 0;
             double const limit = 1e3 * overlap;
+            double const radius = radius_i * radius_j / (radius_i + radius_j);
+            double const contact_radius = std::sqrt(radius * overlap);
             result.push_back({{normal,
                                overlap,
                                depth < 0 ? -depth : 0,
                                radius_i,
                                radius_j,
-                               radius_i * radius_j / (radius_i + radius_j),
+                               radius,
+                               contact_radius,
                                mass,
+                               std::sqrt(mass * contact_radius),
                                1.4 * mass * radius_i * radius_i,
                                random.uniform(-0.1, 0.1),
                                random.uniform(-0.1, 0.1) * along + Vector3{0, 0, 0.05},

@@ -14,7 +14,10 @@ struct ContactKinematics
     double radius_i; //!< [m]
     double radius_j; //!< [m]; against a wall the radius of i, as its stiffness is that of a like sphere
     double effective_radius;  //!< R* [m]; against a wall the radius of i
+    double contact_radius;    //!< sqrt(R* overlap), of Hertz's contact [m]
     double effective_mass;    //!< m* [kg]; against a wall the mass of i
+    double damping_scale;     //!< sqrt(m* sqrt(R* overlap)), what all damping of Hertzian contacts is
+                              //!< proportional to [kg^(1/2) m^(1/2)]
     double rolling_inertia;   //!< equivalent moment of inertia about the contact point [kg m^2]
     double normal_velocity;   //!< [m/s], positive when separating
     Vector3 tangent_velocity; //!< of i relative to j at the contact point, in the contact plane [m/s]

@@ -11,9 +11,6 @@ namespace demens::dem {
 // Between the records of bodies and histories and the lanes of a block. `block.slot` and `block.count` say
 // which contacts.
 
-//! Asks for the records of contacts [slot, end) that the next block will gather.
-void prefetch_contacts(ContactList const& list, std::uint32_t const* slot, std::uint32_t const* end,
-                       Particles const& particles);
 //! Reads the bodies and histories of contacts among particles.
 void gather_pairs(ContactBlock& block, ContactList const& list, Particles const& particles,
                   Periods const& periods);

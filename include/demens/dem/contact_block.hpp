@@ -31,21 +31,20 @@ struct alignas(64) ContactBlock
 
     // Derived
     Lane nx, ny, nz, overlap, gap, arm_i, arm_j;
-    Lane effective_radius, effective_mass, rolling_inertia;
+    Lane effective_radius, contact_radius, effective_mass, damping_scale;
     Lane normal_velocity, tx, ty, tz; //!< tangent velocity
     Lane limit, stiffness;            //!< of the normal law
 
     // Results
-    Lane fx, fy, fz;                   //!< force on i [N]
-    Lane mx, my, mz;                   //!< rolling torque on i [N m]
-    Lane tix, tiy, tiz, tjx, tjy, tjz; //!< torques on i and j [N m]
+    Lane fx, fy, fz; //!< force on i, at the contact point [N]
+    Lane mx, my, mz; //!< rolling torque on i [N m]
 
     // Results for the energy ledger: lost since the step before [J]
     Lane lost_to_damping, lost_to_friction, lost_to_rolling, lost_to_cohesion;
 };
 
-//! Fills the derived quantities; bodies apart have a gap and no overlap. Returns the largest overlap over the
-//! smaller radius of the two bodies.
-double derive_geometry(ContactBlock& block, bool with_wall);
+//! Fills the derived quantities; bodies apart have a gap and no overlap. Returns whether any overlap is more
+//! than `overlap_limit` times the smaller radius of the two bodies.
+bool derive_geometry(ContactBlock& block, bool with_wall, double overlap_limit);
 
 } // namespace demens::dem

@@ -27,14 +27,25 @@ struct MeshPatch
     float due; //!< that of the first triangle due; `always` while it touches any
 };
 
-//! Pairs of one kind (same materials, hence same laws) that may touch before the next rebuild, with their
-//! history.
+//! Two particles that may touch before the next rebuild.
+struct CandidatePair
+{
+    std::uint32_t first, second;
+};
+
+//! Contacts of one kind (same materials, hence same laws), with their history.
+//!
+//! Pairs of particles are found in two stages: the candidates are all that may touch before the next rebuild;
+//! the contacts are those of them that are near, in the same order, and are found anew more often. Histories
+//! thus lie side by side. With walls every pair of the list is a contact.
 struct ContactList
 {
     std::uint32_t interaction = 0; //!< index of the law set
     bool with_wall = false;        //!< `second` is a wall, not a particle
     int state_size = 0;            //!< doubles of history per pair: scalars, then vectors
     int state_scalars = 0; //!< how many of them are scalars; vectors change sign when a pair is reversed
+
+    std::vector<CandidatePair> candidates{}; //!< empty with walls
 
     std::vector<std::uint32_t> first{}, second{};
     std::vector<std::uint8_t> touching{}; //!< 1: touched in the last step, its history counts
@@ -47,6 +58,7 @@ struct ContactList
     std::size_t size() const { return first.size(); }
     void clear()
     {
+        candidates.clear();
         first.clear();
         second.clear();
         touching.clear();

@@ -5,10 +5,18 @@
 #include "demens/dem/periods.hpp"
 #include "demens/dem/wall.hpp"
 
+#include <array>
 #include <span>
 #include <vector>
 
 namespace demens::dem {
+
+//! Distances of surfaces [m].
+struct NeighbourReach
+{
+    double candidates; //!< of candidates, and of particles and walls
+    double contacts;   //!< of candidates that are contacts
+};
 
 //! Finds all pairs that may touch while no body moves by more than half a skin, and carries histories over.
 class NeighbourSearch
@@ -24,7 +32,7 @@ class NeighbourSearch
     //! Sorts the particles along the cells of a grid and fills the lists anew: one per interaction among
     //! particles, then one per interaction with walls. All positions must be finite, and within the periods.
     //! \throws InputError where a period is too short for the particles.
-    void rebuild(Particles& particles, std::vector<Wall> const& walls, double skin,
+    void rebuild(Particles& particles, std::vector<Wall> const& walls, NeighbourReach const& reach,
                  std::vector<ContactList>& lists);
 
   private:
@@ -36,11 +44,20 @@ class NeighbourSearch
         bool with_wall, reversed;
     };
 
+    //! Cells in rows along x and layers along x and y. Without periods the space is turned so that z is its
+    //! longest direction: the smaller the layers, the more of their particles stay in the cache.
     struct Grid
     {
+        std::array<int, 3> axes; //!< of space, that are x, y and z here
         Vector3 lower;
         Vector3 per_length; //!< cells per length in each direction [1/m]
         int nx, ny, nz;
+
+        DEMENS_INLINE Vector3 operator()(Place const& p) const
+        {
+            double const place[3] = {p.x, p.y, p.z};
+            return {place[axes[0]], place[axes[1]], place[axes[2]]};
+        }
     };
 
     //! Up to nine ranges of cells that hold the forward half of a cell's neighbours: each pair of cells is
@@ -62,12 +79,12 @@ class NeighbourSearch
     void index_old_contacts(std::size_t particles, std::vector<ContactList> const& lists);
     ForwardCells forward_cells(Grid const& grid, int cx, int cy, int cz) const;
     template <bool periodic>
-    void find_pairs(Particles const& particles, Grid const& grid, double skin,
+    void find_pairs(Particles const& particles, Grid const& grid, NeighbourReach const& reach,
                     std::vector<ContactList>& lists);
     void find_wall_contacts(Particles const& particles, std::vector<Wall> const& walls, double skin,
                             std::vector<ContactList>& lists);
-    //! Adds a pair, with the history it had if it was touching.
-    void add_pair(ContactList& list, std::uint32_t i, std::uint32_t j);
+    //! Adds a contact, with the history it had if it was touching.
+    void add_contact(ContactList& list, std::uint32_t i, std::uint32_t j);
     //! Adds a particle near a mesh, with the histories of its contacts.
     void add_patch(ContactList& list, std::uint32_t i, std::uint32_t wall,
                    std::span<NearTriangle const> triangles);

@@ -5,13 +5,20 @@
 #include "demens/dem/particles.hpp"
 #include "demens/dem/periods.hpp"
 
+#include <cstdint>
 #include <utility>
 
 namespace demens::dem {
 
-//! Compacts the slots of pairs that touch or are within the laws' range, and of those that were in the step
-//! before and no longer are. Returns both counts.
-std::pair<std::size_t, std::size_t> test_pairs(ContactList& list, Particles const& particles,
+//! Slots [from, to) of a list.
+struct Slots
+{
+    std::size_t from, to;
+};
+
+//! Compacts the slots of contacts that touch or are within the laws' range, and of those that were in the
+//! step before and no longer are. Returns both counts.
+std::pair<std::size_t, std::size_t> test_pairs(ContactList& list, Slots slots, Particles const& particles,
                                                Periods const& periods, contact::Range const& range,
                                                std::uint32_t* now, std::uint32_t* parted);
 

@@ -40,4 +40,17 @@ DEMENS_INLINE double nearest_image(double difference, double length, double half
     return difference - (difference > half ? length : 0.0) + (difference < -half ? length : 0.0);
 }
 
+//! Square of the distance of two particles, across the periods if there are any [m^2].
+template <bool periodic>
+DEMENS_INLINE double distance_squared(Place const& a, Place const& b, Periods const& periods)
+{
+    double dx = a.x - b.x, dy = a.y - b.y;
+    double const dz = a.z - b.z;
+    if constexpr (periodic) {
+        dx = nearest_image(dx, periods.x.length(), periods.x.half());
+        dy = nearest_image(dy, periods.y.length(), periods.y.half());
+    }
+    return dx * dx + dy * dy + dz * dz;
+}
+
 } // namespace demens::dem

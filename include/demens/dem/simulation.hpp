@@ -4,6 +4,7 @@
 #include "demens/contact/model.hpp"
 #include "demens/dem/contact_block.hpp"
 #include "demens/dem/contact_list.hpp"
+#include "demens/dem/contact_renewal.hpp"
 #include "demens/dem/energy_meter.hpp"
 #include "demens/dem/law_stages.hpp"
 #include "demens/dem/neighbours.hpp"
@@ -120,10 +121,13 @@ class Simulation
     std::unique_ptr<ContactBlock> block_;
     std::unique_ptr<EnergyMeter> meter_; //!< null without the ledger
     double travelled_ = 0;               //!< bound on how far any body moved since the rebuild [m]
+    double near_until_ = 0;              //!< distance travelled after which contacts are renewed [m]
+    NeighbourReach reach_ = {};
+    ContactRenewal renewal_;
     bool list_is_stale_ = true;
     bool first_step_ = true;
     bool left_domain_ = false;
-    double largest_overlap_ = 0; //!< over the smaller radius
+    bool overlapping_ = false; //!< an overlap was beyond the limit since the last check
     std::int64_t steps_done_ = 0, rebuilds_ = 0;
 };
 

@@ -47,7 +47,7 @@ TEST(Neighbours, ListsHoldEachNearPairOnceUnderItsMaterials)
         auto particles = random_particles(count, 10, count);
         auto lists = empty_lists();
         dem::NeighbourSearch search(2, {0, 1, 2, 3});
-        search.rebuild(particles, {}, skin, lists);
+        search.rebuild(particles, {}, {skin, skin}, lists);
 
         std::set<Pair> found;
         for (std::size_t k = 0; k < 4; ++k)
@@ -72,7 +72,7 @@ TEST(Neighbours, HistoriesFollowTheirPairsAndTurnWithThem)
     auto particles = random_particles(300, 8, 5);
     auto lists = empty_lists();
     dem::NeighbourSearch search(2, {0, 1, 2, 3});
-    search.rebuild(particles, {}, 0.2, lists);
+    search.rebuild(particles, {}, {0.2, 0.2}, lists);
     // Give every pair a history that tells who it is: scalar symmetric, vector from the first id to the
     // second.
     auto const mark = [&](dem::ContactList const& list, std::size_t s) {
@@ -88,7 +88,7 @@ TEST(Neighbours, HistoriesFollowTheirPairsAndTurnWithThem)
     // Mirrored positions have the same neighbours but another order.
     for (auto& p : particles.place)
         p.x = 8 - p.x, p.z = 8 - p.z;
-    search.rebuild(particles, {}, 0.2, lists);
+    search.rebuild(particles, {}, {0.2, 0.2}, lists);
     std::size_t checked = 0;
     for (auto const& list : lists)
         for (std::size_t s = 0; s < list.size(); ++s, ++checked) {
@@ -108,7 +108,7 @@ TEST(Neighbours, WallsListTheParticlesWithinReach)
         {.shape = dem::Rectangle{{3, 3, 1}, {1, 0, 0}, {0, 1, 0}, 1, 2}, .material = 1},
         {.shape = dem::Rectangle{{3, 3, 1}, {1, 0, 0}, {0, 1, 0}, 9, 9}, .active = false}};
     dem::NeighbourSearch search(2, {0, 1, 2, 3});
-    search.rebuild(particles, walls, 0.1, lists);
+    search.rebuild(particles, walls, {0.1, 0.1}, lists);
     std::size_t found = 0, expected = 0;
     for (std::size_t k = 4; k < 8; ++k) {
         found += lists[k].size();

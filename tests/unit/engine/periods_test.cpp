@@ -52,7 +52,7 @@ TEST(Periods, ListsHoldEachNearPairOnceAcrossTheBorders)
         std::vector<dem::ContactList> lists(2);
         lists[1].with_wall = true;
         dem::NeighbourSearch search(1, {0}, periods);
-        search.rebuild(particles, {}, skin, lists);
+        search.rebuild(particles, {}, {skin, skin}, lists);
         std::set<std::pair<std::uint32_t, std::uint32_t>> found, expected;
         for (std::size_t s = 0; s < lists[0].size(); ++s)
             EXPECT_TRUE(found.insert(std::minmax(lists[0].first[s], lists[0].second[s])).second);

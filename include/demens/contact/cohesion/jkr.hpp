@@ -59,7 +59,7 @@ class JkrCohesion
         double const y = root_of_contact_radius(depth);
         double const y3 = y * y * y;
         double const unit = modulus_ * smallest * smallest * smallest / radius; // E* a_s^3/R*
-        double const hertz = 4.0 / 3 * modulus_ * std::sqrt(radius * contact.overlap) * contact.overlap;
+        double const hertz = 4.0 / 3 * modulus_ * contact.contact_radius * contact.overlap;
         double const force = bonded * (unit * (8 * y3 - 4.0 / 3 * y3 * y3) + hertz);
         double const energy_unit = unit * smallest * smallest / radius;
         double const stored =

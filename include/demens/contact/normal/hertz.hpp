@@ -16,17 +16,17 @@ class HertzNormal
     static constexpr bool has_potential = true;
 
     HertzNormal(PairMaterial const& material, PairProperties const& pair)
-        : youngs_modulus_(material.effective_youngs_modulus), damping_(1.8257418583505538 * material.damping),
+        : youngs_modulus_(material.effective_youngs_modulus),
+          damping_(1.8257418583505538 * material.damping * std::sqrt(2 * youngs_modulus_)),
           lowest_(pair.allow_attraction ? -1e300 : 0.0)
     {
     }
 
     DEMENS_INLINE DEMENS_FUNCTION NormalResponse operator()(ContactKinematics const& contact, double*) const
     {
-        double const stiffness = 2 * youngs_modulus_ * std::sqrt(contact.effective_radius * contact.overlap);
+        double const stiffness = 2 * youngs_modulus_ * contact.contact_radius;
         double const elastic = 2.0 / 3.0 * stiffness * contact.overlap;
-        double const viscous =
-            damping_ * std::sqrt(stiffness * contact.effective_mass) * contact.normal_velocity;
+        double const viscous = damping_ * contact.damping_scale * contact.normal_velocity;
         double const total = elastic + viscous;
         double const force = total > lowest_ ? total : lowest_;
         return {force, elastic, stiffness, force - elastic, 0.4 * elastic * contact.overlap};
@@ -34,7 +34,7 @@ class HertzNormal
 
   private:
     double youngs_modulus_;
-    double damping_; //!< 2 sqrt(5/6) beta
+    double damping_; //!< 2 sqrt(5/6) beta sqrt(2 E*) [Pa^(1/2)]
     double lowest_;  //!< smallest force allowed [N]
 };
 

@@ -22,7 +22,7 @@ class Epsd2Rolling
                                                         NormalResponse const& normal, Vector3* vectors) const
     {
         double const radius = contact.effective_radius;
-        double const stiffness = 8 * shear_modulus_ * std::sqrt(radius * contact.overlap) * radius * radius;
+        double const stiffness = 8 * shear_modulus_ * contact.contact_radius * radius * radius;
         Vector3 const trial = turned_into_plane(vectors[0], contact.normal) -
                               (stiffness * contact.time_step) * rolling_spin(contact);
         vectors[0] = share_within(norm(trial), coefficient_ * radius * normal.limit) * trial;

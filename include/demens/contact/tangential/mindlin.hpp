@@ -19,8 +19,8 @@ class MindlinTangential
 
     MindlinTangential(PairMaterial const& material, PairProperties const& pair)
         : shear_modulus_(material.effective_shear_modulus),
-          damping_(1.8257418583505538 * material.damping), friction_{pair.static_friction,
-                                                                     pair.kinetic_friction}
+          damping_(1.8257418583505538 * material.damping * std::sqrt(8 * shear_modulus_)),
+          friction_{pair.static_friction, pair.kinetic_friction}
     {
     }
 
@@ -28,18 +28,18 @@ class MindlinTangential
                                                         NormalResponse const& normal, double* scalars,
                                                         Vector3* vectors) const
     {
-        double const stiffness = 8 * shear_modulus_ * std::sqrt(contact.effective_radius * contact.overlap);
+        double const stiffness = 8 * shear_modulus_ * contact.contact_radius;
         Vector3 const trial =
             turned_into_plane(vectors[0], contact.normal) + contact.time_step * contact.tangent_velocity;
         vectors[0] = friction_.limit(stiffness * norm(trial), normal.limit, scalars[0]) * trial;
-        double const viscous = (1 - scalars[0]) * damping_ * std::sqrt(stiffness * contact.effective_mass);
+        double const viscous = (1 - scalars[0]) * damping_ * contact.damping_scale;
         return {-stiffness * vectors[0], viscous * contact.tangent_velocity,
                 0.5 * stiffness * norm_squared(vectors[0])};
     }
 
   private:
     double shear_modulus_; //!< G* [Pa]
-    double damping_;       //!< 2 sqrt(5/6) beta
+    double damping_;       //!< 2 sqrt(5/6) beta sqrt(8 G*) [Pa^(1/2)]
     CoulombFriction friction_;
 };
 

@@ -18,10 +18,11 @@ class MindlinDeresiewiczTangential
     static constexpr bool has_dashpot = true;
 
     MindlinDeresiewiczTangential(PairMaterial const& material, PairProperties const& pair)
-        : friction_(pair.static_friction), shear_modulus_(material.effective_shear_modulus),
+        : friction_(pair.static_friction),
           largest_per_overlap_(pair.static_friction * material.effective_youngs_modulus /
                                (4 * material.effective_shear_modulus)),
-          damping_(1.8257418583505538 * material.damping), slip_{1.0, sliding_share(pair)}
+          damping_(1.8257418583505538 * material.damping * std::sqrt(8 * material.effective_shear_modulus)),
+          slip_{1.0, sliding_share(pair)}
     {
     }
 
@@ -39,8 +40,7 @@ class MindlinDeresiewiczTangential
         double const left = slid < 1 ? 1 - slid : 0.0;
         double const root = std::sqrt(left);
         double const force = friction_ * normal.limit * (1 - left * root);
-        double const stiffness = 8 * shear_modulus_ * std::sqrt(contact.effective_radius * contact.overlap);
-        double const viscous = (1 - scalars[0]) * damping_ * std::sqrt(stiffness * contact.effective_mass);
+        double const viscous = (1 - scalars[0]) * damping_ * contact.damping_scale;
         return {-force / (share * size > 1e-300 ? share * size : 1e-300) * vectors[0],
                 viscous * contact.tangent_velocity,
                 friction_ * normal.limit * largest * (slid - 0.4 * (1 - left * left * root))};
@@ -55,9 +55,8 @@ class MindlinDeresiewiczTangential
     }
 
     double friction_;            //!< mu_s
-    double shear_modulus_;       //!< G* [Pa]
     double largest_per_overlap_; //!< s_max/d
-    double damping_;             //!< 2 sqrt(5/6) beta
+    double damping_;             //!< 2 sqrt(5/6) beta sqrt(8 G*) [Pa^(1/2)]
     CoulombFriction slip_;       //!< limits of |s|/s_max
 };
 

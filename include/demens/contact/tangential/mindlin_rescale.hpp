@@ -20,8 +20,8 @@ class MindlinRescaleTangential
 
     MindlinRescaleTangential(PairMaterial const& material, PairProperties const& pair)
         : shear_modulus_(material.effective_shear_modulus),
-          damping_(1.8257418583505538 * material.damping), friction_{pair.static_friction,
-                                                                     pair.kinetic_friction}
+          damping_(1.8257418583505538 * material.damping * std::sqrt(8 * shear_modulus_)),
+          friction_{pair.static_friction, pair.kinetic_friction}
     {
     }
 
@@ -29,27 +29,28 @@ class MindlinRescaleTangential
                                                         NormalResponse const& normal, double* scalars,
                                                         Vector3* vectors) const
     {
-        double const unit = 8 * shear_modulus_ * std::sqrt(contact.effective_radius);
+        double const stiffness = 8 * shear_modulus_ * contact.contact_radius;
         double const old_overlap = scalars[1];
-        double const larger = contact.overlap < old_overlap ? old_overlap : contact.overlap;
-        double const smaller = contact.overlap < old_overlap ? contact.overlap : old_overlap;
-        double const root = std::sqrt(contact.overlap), stiffness = unit * root;
-        double const shrink = std::sqrt(contact.overlap / (larger > 1e-300 ? larger : 1e-300));
+        bool const unloads = contact.overlap < old_overlap;
+        double const larger = unloads ? old_overlap : contact.overlap;
+        double const smaller = unloads ? contact.overlap : old_overlap;
+        double const ratio = std::sqrt(smaller / (larger > 1e-300 ? larger : 1e-300)); // of contact radii
+        double const shrink = unloads ? ratio : 1.0;
         // In loading the stiffness of the middle of the step, in unloading that to which the force has
         // shrunk.
-        double const mean = 0.5 * unit * (root + std::sqrt(smaller));
+        double const mean = unloads ? stiffness : 0.5 * stiffness * (1 + ratio);
         Vector3 const trial = shrink * turned_into_plane(vectors[0], contact.normal) -
                               (mean * contact.time_step) * contact.tangent_velocity;
         vectors[0] = friction_.limit(norm(trial), normal.limit, scalars[0]) * trial;
         scalars[1] = contact.overlap;
-        double const viscous = (1 - scalars[0]) * damping_ * std::sqrt(stiffness * contact.effective_mass);
+        double const viscous = (1 - scalars[0]) * damping_ * contact.damping_scale;
         return {vectors[0], viscous * contact.tangent_velocity,
                 spring_energy(norm_squared(vectors[0]), stiffness)};
     }
 
   private:
     double shear_modulus_; //!< G* [Pa]
-    double damping_;       //!< 2 sqrt(5/6) beta
+    double damping_;       //!< 2 sqrt(5/6) beta sqrt(8 G*) [Pa^(1/2)]
     CoulombFriction friction_;
 };
 
