@@ -43,7 +43,7 @@ void neighbour_build(benchmark::State& state)
         list.state_size = layout.size, list.state_scalars = layout.scalars;
     lists[1].with_wall = true;
     for (auto _ : state)
-        search.rebuild(particles, {}, 0.4e-3, lists);
+        search.rebuild(particles, {}, {0.4e-3, 0.1e-3}, lists);
     state.counters["time/particle"] =
         benchmark::Counter(static_cast<double>(state.iterations() * state.range(0)),
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
@@ -74,7 +74,7 @@ void law(benchmark::State& state, contact::Model const& model)
     auto const layout = dem::state_layout(laws, false);
     fill(*block);
     for (auto _ : state) {
-        dem::derive_geometry(*block, false);
+        dem::derive_geometry(*block, false, 0.5);
         dem::evaluate_laws(*block, laws, layout, 1e-6);
         benchmark::ClobberMemory();
     }

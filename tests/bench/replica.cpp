@@ -117,6 +117,21 @@ State settled_box(int spheres)
     return state;
 }
 
+State tiled_box(State const& box, int along_x, int along_y)
+{
+    State state = box;
+    state.spheres.clear();
+    state.width = along_x * box.width, state.depth = along_y * box.depth;
+    for (int i = 0; i < along_x; ++i)
+        for (int j = 0; j < along_y; ++j)
+            for (Sphere sphere : box.spheres) {
+                sphere.position += Vector3{i * box.width, j * box.depth, 0};
+                state.spheres.push_back(sphere);
+            }
+    simulate(state, 1000 * state.time_step);
+    return state;
+}
+
 State flowing_drum(int spheres)
 {
     auto const r = radii(spheres);

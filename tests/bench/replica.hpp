@@ -35,6 +35,8 @@ std::unique_ptr<dem::Simulation> make_simulation(State const& state, std::string
 
 //! Spheres of radius 0.5 to 1 mm at rest in a box as wide as the bed is high.
 State settled_box(int spheres);
+//! The box side by side with itself, `along_x` times `along_y` boxes without walls between them.
+State tiled_box(State const& box, int along_x, int along_y);
 //! The same spheres in a drum, 25 % full, Froude number 0.01, after a quarter of a turn.
 State flowing_drum(int spheres);
 
