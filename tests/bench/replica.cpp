@@ -4,6 +4,7 @@
 #include "demens/base/random.hpp"
 #include "demens/shape/packing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -180,11 +181,17 @@ State read_state(std::filesystem::path const& file)
 
 void write_peer_data(State const& state, std::filesystem::path const& file)
 {
-    double const room = 4 * (state.width + state.depth);
+    // The domain reaches just beyond the walls: more would cost the peers empty cells.
+    double const room = 2 * largest;
+    Vector3 lower{-room, -room, -room}, upper{state.width + room, state.depth + room, room};
+    if (state.kind == "drum")
+        lower = {-state.width - room, -0.5 * state.depth - room, -state.width - room}, upper = -1.0 * lower;
+    for (Sphere const& s : state.spheres)
+        upper.z = std::max(upper.z, s.position.z + room);
     auto out = fmt::output_file(file.string());
     out.print("state of engine_speed\n\n{} atoms\n1 atom types\n", state.spheres.size());
-    for (char const* axis : {"x", "y", "z"})
-        out.print("{} {} {}lo {}hi\n", -room, room, axis, axis);
+    out.print("{} {} xlo xhi\n{} {} ylo yhi\n{} {} zlo zhi\n", lower.x, upper.x, lower.y, upper.y, lower.z,
+              upper.z);
     out.print("\nAtoms\n\n");
     std::size_t id = 0;
     for (Sphere const& s : state.spheres)
