@@ -42,6 +42,8 @@ void Migration::write_contacts(Particles const& particles, std::span<int const> 
                                std::vector<Team::Bytes>& parcels) const
 {
     int const here = team_.rank();
+    if (std::all_of(owners.begin(), owners.end(), [&](int owner) { return owner == here; }))
+        return;
     auto const owner_of = [&](std::uint32_t number) { return number < owned_ ? owners[number] : here; };
     for (ContactList const& list : lists_)
         for (std::size_t s = 0; s < list.size(); ++s) {
@@ -134,7 +136,10 @@ void Migration::renumber(Particles const& particles)
     for (std::size_t k = particles.owned(); k < particles.size(); ++k)
         numbers_[particles.id[k]] = static_cast<std::uint32_t>(k);
     std::unordered_set<std::uint64_t> known; // pairs with a particle that came or a ghost
-    for (ContactList& list : lists_)
+    bool const all_stayed = stayed_ == old_ids_.size();
+    for (ContactList& list : lists_) {
+        if (all_stayed && !list.with_ghost)
+            continue; // the numbers are the same
         for (std::size_t s = 0; s < list.size(); ++s) {
             if (!list.touching[s])
                 continue;
@@ -151,6 +156,7 @@ void Migration::renumber(Particles const& particles)
             if (stays && std::max(i, j) >= stayed_)
                 known.insert(pair_key(particles.id[i], particles.id[j]));
         }
+    }
     for (auto const& bytes : contacts_)
         take_arrived(bytes, known);
 }
