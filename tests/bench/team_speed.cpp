@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
+#include <cmath>
+#include <ctime>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -14,12 +15,31 @@
 namespace {
 
 using namespace demens;
-using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin)
+//! A clock on the wall, and one that stands still while others have the core [s].
+struct Moment
 {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
+    double wall = 0, processor = 0;
+
+    static Moment now() { return {seconds_of(CLOCK_MONOTONIC), seconds_of(CLOCK_THREAD_CPUTIME_ID)}; }
+    Moment& operator+=(Moment const& other)
+    {
+        wall += other.wall, processor += other.processor;
+        return *this;
+    }
+    friend Moment operator-(Moment const& a, Moment const& b)
+    {
+        return {a.wall - b.wall, a.processor - b.processor};
+    }
+
+  private:
+    static double seconds_of(clockid_t clock)
+    {
+        timespec time{};
+        clock_gettime(clock, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+};
 
 enum class Overlap
 {
@@ -33,7 +53,7 @@ class TimedTeam : public dem::Team
   public:
     TimedTeam(dem::Team& team, Overlap overlap) : team_(team), overlap_(overlap) {}
 
-    double reduced = 0, exchanged = 0; //!< every step: largest speed, ghosts [s]
+    Moment reduced, exchanged;         //!< every step: largest speed, ghosts
     double numbers = 0, partners = 0;  //!< that this rank received in the last step
 
     int rank() const override { return team_.rank(); }
@@ -42,29 +62,29 @@ class TimedTeam : public dem::Team
     using dem::Team::largest;
     void largest(std::span<double> values) override
     {
-        auto const begin = Clock::now();
+        auto const begin = Moment::now();
         team_.largest(values);
-        reduced += seconds_since(begin);
+        reduced += Moment::now() - begin;
     }
     std::vector<Parcel> exchange(std::vector<Parcel> const& out) override { return team_.exchange(out); }
     std::vector<Bytes> gather(Bytes const& mine) override { return team_.gather(mine); }
     void begin(std::span<Link const> links, double const* out, double* in) override
     {
-        auto const begin = Clock::now();
+        auto const begin = Moment::now();
         numbers = partners = 0;
         for (Link const& link : links)
             numbers += static_cast<double>(link.in_count), partners += link.in_count > 0;
         team_.begin(links, out, in);
         if (overlap_ == Overlap::off)
             team_.finish();
-        exchanged += seconds_since(begin);
+        exchanged += Moment::now() - begin;
     }
     void finish() override
     {
-        auto const begin = Clock::now();
+        auto const begin = Moment::now();
         if (overlap_ == Overlap::on)
             team_.finish();
-        exchanged += seconds_since(begin);
+        exchanged += Moment::now() - begin;
     }
 
   private:
@@ -72,44 +92,56 @@ class TimedTeam : public dem::Team
     Overlap overlap_;
 };
 
-//! Seconds of a number of steps, by what they were spent on.
+//! Seconds of one step.
+struct Step
+{
+    double all, computed, reduced, exchanged; //!< computed: on the processor, the others on the wall
+};
+
+//! Steps with and without a search for neighbours.
 struct Times
 {
-    double all = 0, rebuilding = 0; //!< of them in steps that search neighbours anew
-    double reduced = 0, exchanged = 0;
-    std::int64_t steps = 0, rebuilds = 0; //!< steps of each kind
+    std::vector<Step> plain, rebuilding;
 };
 
 Times time_steps(dem::Simulation& simulation, TimedTeam& team, int steps)
 {
     Times times;
-    auto const begin = Clock::now();
     for (int k = 0; k < steps; ++k) {
         auto const rebuilds = simulation.rebuilds();
-        team.reduced = team.exchanged = 0;
-        auto const step_begin = Clock::now();
+        team.reduced = team.exchanged = {};
+        auto const begin = Moment::now();
         simulation.step();
-        if (simulation.rebuilds() > rebuilds) {
-            times.rebuilding += seconds_since(step_begin);
-            ++times.rebuilds;
-        } else {
-            times.reduced += team.reduced;
-            times.exchanged += team.exchanged;
-        }
+        auto& kind = simulation.rebuilds() > rebuilds ? times.rebuilding : times.plain;
+        auto const step = Moment::now() - begin;
+        kind.push_back({step.wall, (step - team.reduced - team.exchanged).processor, team.reduced.wall,
+                        team.exchanged.wall});
     }
-    times.all = seconds_since(begin);
-    times.steps = steps;
     return times;
 }
 
-void report(Times const& times, dem::Simulation const& simulation, TimedTeam& team)
+//! Means over the fastest part of the steps: others that use the machine slow down the rest.
+Step mean_of_fastest(std::vector<Step> steps, double part)
 {
-    double const plain = static_cast<double>(times.steps - times.rebuilds);
-    std::array mean = {1e6 * times.all / static_cast<double>(times.steps),
-                       1e6 * (times.all - times.rebuilding - times.reduced - times.exchanged) / plain,
-                       1e6 * times.reduced / plain,
-                       1e6 * times.exchanged / plain,
-                       1e6 * times.rebuilding / static_cast<double>(std::max<std::int64_t>(times.rebuilds, 1)),
+    std::sort(steps.begin(), steps.end(), [](Step const& a, Step const& b) { return a.all < b.all; });
+    steps.resize(std::min(steps.size(), static_cast<std::size_t>(std::ceil(part * static_cast<double>(steps.size())))));
+    Step mean{};
+    for (Step const& step : steps) {
+        double const weight = 1 / static_cast<double>(steps.size());
+        mean.all += weight * step.all, mean.computed += weight * step.computed;
+        mean.reduced += weight * step.reduced, mean.exchanged += weight * step.exchanged;
+    }
+    return mean;
+}
+
+void report(Times const& times, double part, dem::Simulation const& simulation, TimedTeam& team)
+{
+    Step const plain = mean_of_fastest(times.plain, part), rebuilding = mean_of_fastest(times.rebuilding, part);
+    std::array mean = {1e6 * plain.all,
+                       1e6 * plain.computed,
+                       1e6 * plain.reduced,
+                       1e6 * plain.exchanged,
+                       1e6 * rebuilding.all,
                        static_cast<double>(simulation.particles_here()),
                        static_cast<double>(simulation.ghosts_here()),
                        8 * team.numbers,
@@ -121,7 +153,8 @@ void report(Times const& times, dem::Simulation const& simulation, TimedTeam& te
         return;
     char const* const names[] = {"step_us",        "compute_us", "reduce_us",      "exchange_us", "rebuild_step_us",
                                  "particles_here", "ghosts",     "bytes_received", "partners"};
-    fmt::print("{{\"ranks\": {}, \"steps\": {}, \"rebuilds\": {}", team.size(), times.steps, times.rebuilds);
+    fmt::print("{{\"ranks\": {}, \"steps\": {}, \"rebuilds\": {}", team.size(),
+               times.plain.size() + times.rebuilding.size(), times.rebuilding.size());
     for (std::size_t k = 0; k < mean.size(); ++k)
         fmt::print(", \"{}\": [{:.5g}, {:.5g}]", names[k], mean[k] / team.size(), most[k]);
     fmt::print("}}\n");
@@ -135,12 +168,14 @@ int main(int argc, char** argv)
     CLI::App program{"Speed of one simulation over several ranks; prints the mean and the largest over the ranks"};
     std::string folder, rolling = "none";
     int warm_up = 200, steps = 400, repeats = 3;
+    double part = 1;
     bool alone = false, no_overlap = false;
     program.add_option("FOLDER", folder)->required();
     program.add_option("--rolling", rolling)->check(CLI::IsMember({"none", "epsd2"}));
     program.add_option("--warm-up", warm_up, "steps before the clock starts");
     program.add_option("--steps", steps);
     program.add_option("--repeats", repeats, "so many times; a line each");
+    program.add_option("--fastest", part, "means over this part of the steps, the fastest")->check(CLI::Range(0.0, 1.0));
     program.add_flag("--alone", alone, "every rank simulates all by itself, without a team");
     program.add_flag("--no-overlap", no_overlap, "wait for the ghosts before any force");
     int code = 0;
@@ -152,7 +187,7 @@ int main(int argc, char** argv)
         auto const simulation = bench::make_simulation(state, rolling, alone ? nullptr : &team);
         simulation->steps(warm_up);
         for (int k = 0; k < repeats; ++k)
-            report(time_steps(*simulation, team, steps), *simulation, team);
+            report(time_steps(*simulation, team, steps), part, *simulation, team);
     } catch (CLI::ParseError const& error) {
         code = program.exit(error);
     } catch (std::exception const& failure) {
