@@ -17,6 +17,10 @@ expect_code 0 "$MPIRUN" -n 2 "$DEMENS" undisturbed.toml
 "$DRIVER" dump undisturbed.h5 >undisturbed.txt || fail "dump"
 runs=$(grep -c '^run ' undisturbed.txt)
 [ "$(grep -c 'status 1 ' undisturbed.txt)" -eq "$runs" ] || fail "not every run is finished"
+expect_code 0 "$MPIRUN" -n 2 "$DEMENS" replay undisturbed.h5 --run 3 --check --frames frames
+[ -s frames/particles.pvd ] || fail "no frames"
+expect_code 0 "$DEMENS" replay undisturbed.h5 --run 3
+expect_text "mpirun -n 2 does" log.txt
 kill_many_times
 
 # One rank of a group alone is asked to stop: the group gives up its run, and the campaign ends as if it had not been.

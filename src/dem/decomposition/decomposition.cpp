@@ -9,7 +9,7 @@
 namespace demens::dem {
 namespace {
 
-constexpr double most_imbalance = 1.03; //!< largest weight of a rank over the mean that needs no new cuts
+constexpr double most_imbalance = 1.01; //!< largest weight of a rank over the mean that needs no new cuts
 
 } // namespace
 
