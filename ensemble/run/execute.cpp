@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <fmt/format.h>
 #include <limits>
 
@@ -35,6 +36,16 @@ void check_result(rig::RunResult& result, Experiment const& experiment)
     result.responses.resize(experiment.responses.size(), std::numeric_limits<double>::quiet_NaN());
 }
 
+//! The other ranks of the group have memory, and wait for this one: only a death ends that. The journal knows
+//! which run it was.
+[[noreturn]] void die_alone(RunRecord const& plan)
+{
+    fmt::print(stderr, "run {}: not enough memory on a rank of its group; the program ends here, go on with it "
+                       "on more memory\n",
+               plan.run);
+    std::abort();
+}
+
 rig::RunResult simulate(CampaignInput const& input, RunRecord const& plan, rig::RunHooks const& hooks)
 {
     auto const& experiment = input.experiments.at(static_cast<std::size_t>(plan.experiment));
@@ -44,6 +55,8 @@ rig::RunResult simulate(CampaignInput const& input, RunRecord const& plan, rig::
     } catch (rig::RunInterrupted const&) {
         throw;
     } catch (std::bad_alloc const&) {
+        if (hooks.team)
+            die_alone(plan);
         fail(result, rig::RunStatus::error, "not enough memory");
     } catch (std::exception const& error) {
         fail(result, rig::RunStatus::error, error.what());

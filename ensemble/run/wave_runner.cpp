@@ -23,6 +23,19 @@ enum Counter
     counter_count
 };
 std::int64_t constexpr closed = std::int64_t{1} << 40; //!< added to next_run: nothing is left to take
+int constexpr no_row = -1;
+
+void wait_patiently(MPI_Request& request)
+{
+    int arrived = 0;
+    for (auto pause = std::chrono::microseconds(50);;
+         pause = std::min(2 * pause, std::chrono::microseconds(20000))) {
+        MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
+        if (arrived)
+            return;
+        std::this_thread::sleep_for(pause);
+    }
+}
 
 } // namespace
 
@@ -37,20 +50,25 @@ Groups::Groups(MPI_Comm communicator, int ranks_per_group)
     count_ = size / ranks_per_group;
     mine_ = rank / ranks_per_group < count_ ? rank / ranks_per_group : -1;
     group_ = Communicator::split(communicator, mine_);
+    if (mine_ >= 0 && ranks_per_group > 1)
+        team_ = std::make_unique<MpiTeam>(group_);
+}
+
+int Groups::from_first(int value) const
+{
+    if (!team_)
+        return value;
+    MPI_Request request;
+    MPI_Ibcast(&value, 1, MPI_INT, 0, group_, &request);
+    wait_patiently(request);
+    return value;
 }
 
 void patient_barrier(MPI_Comm communicator)
 {
     MPI_Request request;
     MPI_Ibarrier(communicator, &request);
-    int arrived = 0;
-    for (auto pause = std::chrono::microseconds(50);;
-         pause = std::min(2 * pause, std::chrono::microseconds(20000))) {
-        MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
-        if (arrived)
-            return;
-        std::this_thread::sleep_for(pause);
-    }
+    wait_patiently(request);
 }
 
 //! One pass over a list of rows: shared by `pending` (all groups) and `suspicious` (the first group).
@@ -65,9 +83,14 @@ class WaveRunner::Pass
     {
     }
 
-    //! Takes rows until none is left. The failure is this rank's own: it cannot write.
+    //! Takes rows until none is left, or follows the first rank of the group, which does. The failure is this
+    //! rank's own: it cannot write.
     Failure take(std::vector<int> const& rows, Journal::Company company)
     {
+        if (!runner_.groups_.leads()) {
+            follow();
+            return {};
+        }
         auto const failure = capture([&] {
             while (StopSignals::request() == StopRequest::none) {
                 auto const i = static_cast<std::size_t>(counters_.add(next_run, 1));
@@ -79,8 +102,12 @@ class WaveRunner::Pass
         });
         if (failure || StopSignals::request() != StopRequest::none)
             counters_.add(next_run, closed);
+        dismiss();
         return failure;
     }
+
+    //! Tells the ranks that follow this one that there is nothing more.
+    void dismiss() { runner_.groups_.from_first(no_row); }
 
     //! Between two passes. Collective.
     void rewind(bool is_root)
@@ -102,13 +129,24 @@ class WaveRunner::Pass
 
     double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
+    //! Only the first rank of the group keeps what comes out; it comes out alike on all.
+    void follow()
+    {
+        for (int row; (row = runner_.groups_.from_first(no_row)) != no_row;)
+            try {
+                simulate(wave_.runs[static_cast<std::size_t>(row)]);
+            } catch (rig::RunInterrupted const&) { // so is the first rank, and it will say what comes next
+            }
+    }
+
     void run_row(int row, Journal::Company company)
     {
         auto const& plan = wave_.runs[static_cast<std::size_t>(row)];
         journal_->start(plan.run, company);
+        runner_.groups_.from_first(row);
         try {
             double const start_time = work_.clock + elapsed();
-            auto finished = simulate(plan);
+            auto finished = simulate_noting_crashes(plan);
             finished.record.group = runner_.groups_.mine();
             finished.record.start_time = start_time;
             runner_.parts_.store(finished, runner_.input_, *journal_);
@@ -124,11 +162,17 @@ class WaveRunner::Pass
         counters_.add(microseconds_done, std::llround(1e6 * work_.seconds[static_cast<std::size_t>(row)]));
     }
 
-    FinishedRun simulate(RunRecord const& plan)
+    FinishedRun simulate_noting_crashes(RunRecord const& plan)
     {
         CrashNote const note(journal_->descriptor(),
                              [&](int signal) { return journal_->crash_line(plan.run, signal); });
+        return simulate(plan);
+    }
+
+    FinishedRun simulate(RunRecord const& plan)
+    {
         rig::RunHooks hooks;
+        hooks.team = runner_.groups_.team();
         hooks.wall_time_limit = runner_.input_.run.run_wall_time_s;
         hooks.should_stop = [this] {
             counters_.progress();
@@ -178,11 +222,15 @@ void WaveRunner::run(Wave const& wave, WaveWork const& work, Journal* journal, s
 {
     Pass pass(*this, wave, work, journal, progress);
     Failure failure;
-    if (groups_.leads())
+    if (groups_.mine() >= 0)
         failure = pass.take(work.pending, Journal::Company::others);
     pass.rewind(rank_of(communicator_) == 0);
-    if (groups_.leads() && groups_.mine() == 0 && !failure)
-        failure = pass.take(work.suspicious, Journal::Company::alone);
+    if (groups_.mine() == 0) {
+        if (failure)
+            pass.dismiss();
+        else
+            failure = pass.take(work.suspicious, Journal::Company::alone);
+    }
     patient_barrier(communicator_);
     pass.finish();
     agree(communicator_, failure);

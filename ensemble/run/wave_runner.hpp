@@ -1,9 +1,11 @@
 #pragma once
 
 #include "ensemble/mpi/agreement.hpp"
+#include "ensemble/mpi/mpi_team.hpp"
 #include "ensemble/storage/parts.hpp"
 
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,12 +21,17 @@ class Groups
     int count() const { return count_; }
     //! This rank's group; -1: none.
     int mine() const { return mine_; }
-    //! Whether this rank is the first of its group, the one that runs the rig.
+    //! Whether this rank is the first of its group, the one that takes runs and stores them.
     bool leads() const { return mine_ >= 0 && rank_of(group_) == 0; }
+    //! This rank's group, as those who share a simulation; null where it has one rank.
+    dem::Team* team() const { return team_.get(); }
+    //! What the first rank of this rank's group gives; waits for it without taking the core. Collective.
+    int from_first(int value) const;
 
   private:
     int count_ = 0, mine_ = -1;
     Communicator group_;
+    std::unique_ptr<MpiTeam> team_;
 };
 
 //! What a wave is to be run with; the same on all ranks.
@@ -37,7 +44,8 @@ struct WaveWork
     int done = 0, failed = 0;    //!< runs of the wave that are complete
 };
 
-//! Runs what a wave lacks: every group takes the next run when it is free. No exception of a run leaves it.
+//! Runs what a wave lacks: every group takes the next run when it is free, and all its ranks simulate it. No
+//! exception of a run leaves it.
 class WaveRunner
 {
   public:

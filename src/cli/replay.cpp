@@ -1,11 +1,13 @@
 #include "src/cli/command.hpp"
 #include "demens/base/error.hpp"
 #include "demens/observe/vtk_frames.hpp"
+#include "ensemble/mpi/mpi_team.hpp"
 #include "ensemble/session.hpp"
 
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
 #include <optional>
 
 namespace demens::cli {
@@ -29,6 +31,39 @@ ensemble::RunRecord record_of(ensemble::Campaign const& campaign, ReplayOptions 
                          : fmt::format("{}: there is no run {}; give --run 0 to {}", options.file,
                                        options.run, campaign.runs_planned() - 1));
 }
+
+//! The ranks that this program was started on, when a campaign gives several to a run: only as many get the same bits.
+class ReplayTeam
+{
+  public:
+    explicit ReplayTeam(int ranks_per_group)
+    {
+        MPI_Init(nullptr, nullptr);
+        team_ = std::make_unique<ensemble::MpiTeam>(MPI_COMM_WORLD);
+        int const ranks = team_->size();
+        if (ranks == ranks_per_group)
+            return;
+        team_.reset();
+        if (ranks == 1) {
+            fmt::print("note: {0} ranks simulated this run, and one does not get the same bits; mpirun -n {0} does\n",
+                       ranks_per_group);
+            return;
+        }
+        MPI_Finalize();
+        throw InputError(fmt::format("{} ranks simulated this run (run.ranks_per_group), and here are {}; start as "
+                                     "many, or one",
+                                     ranks_per_group, ranks));
+    }
+    ~ReplayTeam() { MPI_Finalize(); }
+    ReplayTeam(ReplayTeam const&) = delete;
+    ReplayTeam& operator=(ReplayTeam const&) = delete;
+
+    dem::Team* get() const { return team_.get(); }
+    bool is_first() const { return !team_ || team_->rank() == 0; }
+
+  private:
+    std::unique_ptr<ensemble::MpiTeam> team_;
+};
 
 //! Bit for bit, where any not-a-number equals any other.
 bool same(double a, double b)
@@ -61,14 +96,25 @@ int replay(ReplayOptions const& options)
     auto const input =
         campaign.input.run_input(stored.factors, stored.point, stored.experiment, stored.replicate);
 
+    std::optional<ReplayTeam> team;
+    if (campaign.input.run.ranks_per_group > 1)
+        team.emplace(campaign.input.run.ranks_per_group);
+    bool const is_first = !team || team->is_first();
     rig::RunHooks hooks;
+    hooks.team = team ? team->get() : nullptr;
     std::optional<observe::VtkFrames> frames;
     if (!options.frames.empty()) {
-        frames.emplace(options.frames);
+        if (is_first)
+            frames.emplace(options.frames);
         hooks.frame_interval = options.frame_interval;
-        hooks.on_frame = [&](auto const& snapshot) { frames->write(snapshot); };
+        hooks.on_frame = [&](auto const& snapshot) {
+            if (frames)
+                frames->write(snapshot);
+        };
     }
     auto const result = experiment.rig->run(input, hooks);
+    if (!is_first)
+        return success;
 
     if (frames)
         fmt::print("wrote {} frames; open {}/particles.pvd in ParaView\n", frames->size(), options.frames);

@@ -5,13 +5,13 @@
 
 namespace demens::dem {
 
-void EnergyMeter::add_losses(ContactBlock const& block)
+void EnergyMeter::add_losses(ContactBlock const& block, double share)
 {
     for (int l = 0; l < block.count; ++l) {
-        losses_.damping[l] += block.lost_to_damping[l];
-        losses_.friction[l] += block.lost_to_friction[l];
-        losses_.rolling[l] += block.lost_to_rolling[l];
-        losses_.cohesion[l] += block.lost_to_cohesion[l];
+        losses_.damping[l] += share * block.lost_to_damping[l];
+        losses_.friction[l] += share * block.lost_to_friction[l];
+        losses_.rolling[l] += share * block.lost_to_rolling[l];
+        losses_.cohesion[l] += share * block.lost_to_cohesion[l];
     }
 }
 
@@ -37,7 +37,7 @@ void EnergyMeter::start(std::vector<WallLoad> const& loads, double energy)
     brought_in_ = energy;
 }
 
-void EnergyMeter::complete(EnergyLedger& ledger)
+void EnergyMeter::add_sums(EnergyLedger& ledger) const
 {
     auto const sum = [](ContactBlock::Lane const& lane) {
         return std::accumulate(std::begin(lane), std::end(lane), 0.0);
@@ -48,6 +48,10 @@ void EnergyMeter::complete(EnergyLedger& ledger)
     ledger.lost_to_cohesion = sum(losses_.cohesion);
     ledger.work_of_walls = work_of_walls_;
     ledger.brought_in = brought_in_;
+}
+
+void EnergyMeter::note_turn_over(EnergyLedger& ledger)
+{
     turned_over_ = std::max(turned_over_, ledger.lost() + ledger.kinetic() + ledger.elastic());
     ledger.turned_over = turned_over_;
 }

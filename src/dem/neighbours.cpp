@@ -28,6 +28,19 @@ void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& wal
     else
         find_pairs<false>(particles, grid, reach, lists);
     find_wall_contacts(particles, walls, reach.candidates, lists);
+    if (particles.ghosts > 0)
+        find_ghost_pairs(particles, grid, reach, lists);
+}
+
+void NeighbourSearch::check_periods(double largest_radius, double skin) const
+{
+    double const reach = 2 * largest_radius + skin;
+    for (auto const& [name, period] : {std::pair{"x", periods_.x}, std::pair{"y", periods_.y}})
+        if (period.on() && period.length() < 2 * reach)
+            throw InputError(
+                fmt::format("the period of {} m along {} is too short: it must be at least {} m, twice the "
+                            "largest diameter and the skin",
+                            period.length(), name, 2 * reach));
 }
 
 NeighbourSearch::Grid NeighbourSearch::make_grid(Particles const& particles, double skin) const
@@ -49,14 +62,8 @@ NeighbourSearch::Grid NeighbourSearch::make_grid(Particles const& particles, dou
                          [&](int a, int b) { return high[a] - low[a] < high[b] - low[b]; });
     Vector3 lower{low[axes[0]], low[axes[1]], low[axes[2]]};
     Vector3 const upper{high[axes[0]], high[axes[1]], high[axes[2]]};
-    double const reach = 2 * largest + skin;
-    for (auto const& [name, period] : {std::pair{"x", periods_.x}, std::pair{"y", periods_.y}})
-        if (period.on() && period.length() < 2 * reach)
-            throw InputError(
-                fmt::format("the period of {} m along {} is too short: it must be at least {} m, twice the "
-                            "largest diameter and the skin",
-                            period.length(), name, 2 * reach));
-    double cell = std::max(reach, 1e-12);
+    check_periods(largest, skin);
+    double cell = std::max(2 * largest + skin, 1e-12);
     Vector3 extent = upper - lower;
     for (auto const& [period, from, size] :
          {std::tuple{&periods_.x, &lower.x, &extent.x}, std::tuple{&periods_.y, &lower.y, &extent.y}})
@@ -87,30 +94,14 @@ NeighbourSearch::Grid NeighbourSearch::make_grid(Particles const& particles, dou
 void NeighbourSearch::sort_into_cells(Particles& particles, Grid const& grid)
 {
     std::size_t const n = particles.size();
-    std::size_t const cells = static_cast<std::size_t>(grid.nx) * grid.ny * grid.nz;
     cell_of_.resize(n);
-    cell_start_.assign(cells + 1, 0);
-    auto const along = [](double offset, double per_length, int count) {
-        return std::min(static_cast<int>(offset * per_length), count - 1);
-    };
-    for (std::size_t i = 0; i < n; ++i) {
-        Vector3 const p = grid(particles.place[i]);
-        int const cx = along(p.x - grid.lower.x, grid.per_length.x, grid.nx);
-        int const cy = along(p.y - grid.lower.y, grid.per_length.y, grid.ny);
-        int const cz = along(p.z - grid.lower.z, grid.per_length.z, grid.nz);
-        cell_of_[i] = static_cast<std::uint32_t>((cz * grid.ny + cy) * grid.nx + cx);
-        ++cell_start_[cell_of_[i] + 1];
-    }
-    for (std::size_t c = 0; c < cells; ++c)
-        cell_start_[c + 1] += cell_start_[c];
-
     new_index_.resize(n);
-    std::vector<std::uint32_t> next(cell_start_.begin(), cell_start_.end() - 1);
-    for (std::size_t i = 0; i < n; ++i)
-        new_index_[i] = next[cell_of_[i]]++;
+    number_along_cells(particles, grid, 0, particles.owned(), cell_start_);
+    if (particles.ghosts > 0)
+        number_along_cells(particles, grid, particles.owned(), n, ghost_cell_start_);
 
-    sorted_.place.resize(n), sorted_.motion.resize(n), sorted_.load.resize(n);
-    sorted_.material.resize(n), sorted_.id.resize(n);
+    sorted_.resize(n);
+    sorted_.ghosts = particles.ghosts;
     for (std::size_t i = 0; i < n; ++i) {
         std::uint32_t const to = new_index_[i];
         sorted_.place[to] = particles.place[i];
@@ -120,6 +111,30 @@ void NeighbourSearch::sort_into_cells(Particles& particles, Grid const& grid)
         sorted_.id[to] = particles.id[i];
     }
     std::swap(particles, sorted_);
+}
+
+void NeighbourSearch::number_along_cells(Particles const& particles, Grid const& grid, std::size_t from,
+                                         std::size_t to, std::vector<std::uint32_t>& cell_start)
+{
+    std::size_t const cells = static_cast<std::size_t>(grid.nx) * grid.ny * grid.nz;
+    cell_start.assign(cells + 1, 0);
+    cell_start[0] = static_cast<std::uint32_t>(from);
+    auto const along = [](double offset, double per_length, int count) {
+        return std::min(static_cast<int>(offset * per_length), count - 1);
+    };
+    for (std::size_t i = from; i < to; ++i) {
+        Vector3 const p = grid(particles.place[i]);
+        int const cx = along(p.x - grid.lower.x, grid.per_length.x, grid.nx);
+        int const cy = along(p.y - grid.lower.y, grid.per_length.y, grid.ny);
+        int const cz = along(p.z - grid.lower.z, grid.per_length.z, grid.nz);
+        cell_of_[i] = static_cast<std::uint32_t>((cz * grid.ny + cy) * grid.nx + cx);
+        ++cell_start[cell_of_[i] + 1];
+    }
+    for (std::size_t c = 0; c < cells; ++c)
+        cell_start[c + 1] += cell_start[c];
+    std::vector<std::uint32_t> next(cell_start.begin(), cell_start.end() - 1);
+    for (std::size_t i = from; i < to; ++i)
+        new_index_[i] = next[cell_of_[i]]++;
 }
 
 void NeighbourSearch::index_old_contacts(std::size_t particles, std::vector<ContactList> const& lists)
@@ -170,7 +185,10 @@ void NeighbourSearch::add_patch(ContactList& list, std::uint32_t i, std::uint32_
 
 void NeighbourSearch::restore_histories(ContactList& list, std::size_t slot)
 {
-    std::uint32_t const i = list.first[slot], j = list.second[slot];
+    // A ghost may come first in its pair; contacts are filed under the other one.
+    bool const reversed = list.with_ghost && list.second[slot] < list.first[slot];
+    std::uint32_t const i = reversed ? list.second[slot] : list.first[slot];
+    std::uint32_t const j = reversed ? list.first[slot] : list.second[slot];
     auto const size = static_cast<std::size_t>(list.state_size);
     for (std::uint32_t k = old_start_[i]; k < old_start_[i + 1] && slot < list.size(); ++k) {
         OldContact const& old = old_contacts_[k];
@@ -181,7 +199,7 @@ void NeighbourSearch::restore_histories(ContactList& list, std::size_t slot)
         double const* from = from_list.state.data() + old.slot * size;
         double* to = list.state.data() + slot * size;
         for (int c = 0; c < list.state_size; ++c)
-            to[c] = old.reversed && c >= list.state_scalars ? -from[c] : from[c];
+            to[c] = old.reversed != reversed && c >= list.state_scalars ? -from[c] : from[c];
         if (list.with_wall)
             list.offset[slot] = from_list.offset[old.slot];
         ++slot;
@@ -263,10 +281,76 @@ void NeighbourSearch::find_pairs(Particles const& particles, Grid const& grid, N
             }
 }
 
+NeighbourSearch::CellsAround NeighbourSearch::cells_around(Grid const& grid, std::uint32_t cell) const
+{
+    CellsAround around;
+    int const cx = static_cast<int>(cell) % grid.nx, row = static_cast<int>(cell) / grid.nx;
+    int const cy = row % grid.ny, cz = row / grid.ny;
+    bool const wraps_x = periods_.x.on() && grid.nx > 2;
+    for (int z = std::max(cz - 1, 0); z <= std::min(cz + 1, grid.nz - 1); ++z)
+        for (int dy = -1; dy <= 1; ++dy) {
+            int y = cy + dy;
+            if (periods_.y.on()) {
+                // With one or two rows in the period, up and down lead to the same row.
+                if ((grid.ny == 1 && dy != 0) || (grid.ny == 2 && dy < 0))
+                    continue;
+                y = (y + grid.ny) % grid.ny;
+            }
+            if (y < 0 || y >= grid.ny)
+                continue;
+            int const start = (z * grid.ny + y) * grid.nx;
+            around.add(start + std::max(cx - 1, 0), start + std::min(cx + 1, grid.nx - 1));
+            if (wraps_x && cx == 0)
+                around.add(start + grid.nx - 1, start + grid.nx - 1);
+            if (wraps_x && cx == grid.nx - 1)
+                around.add(start, start);
+        }
+    return around;
+}
+
+//! All pairs of a ghost and a particle of this process. The one with the lower id comes first: the other
+//! process has the same pair, and computes the same force from the same numbers.
+void NeighbourSearch::find_ghost_pairs(Particles const& particles, Grid const& grid,
+                                       NeighbourReach const& reach, std::vector<ContactList>& lists)
+{
+    auto const first_list = static_cast<std::size_t>(
+        std::find_if(lists.begin(), lists.end(), [](auto const& list) { return list.with_ghost; }) -
+        lists.begin());
+    auto const owned = static_cast<std::uint32_t>(particles.owned());
+    for (std::uint32_t c = 0; c + 1 < ghost_cell_start_.size(); ++c) {
+        std::uint32_t const begin = ghost_cell_start_[c], end = ghost_cell_start_[c + 1];
+        if (begin == end)
+            continue;
+        CellsAround const around = cells_around(grid, c);
+        for (std::uint32_t ghost = std::max(begin, owned); ghost < end; ++ghost) {
+            Place const a = particles.place[ghost];
+            for (int r = 0; r < around.count; ++r)
+                for (std::uint32_t j = cell_start_[around.from[r]]; j < cell_start_[around.to[r]]; ++j) {
+                    Place const& b = particles.place[j];
+                    double const squared = distance_squared<true>(a, b, periods_);
+                    double const touching = a.radius + b.radius, furthest = touching + reach.candidates;
+                    if (squared >= furthest * furthest)
+                        continue;
+                    bool const ghost_first = particles.id[ghost] < particles.id[j];
+                    std::uint32_t const first = ghost_first ? ghost : j, second = ghost_first ? j : ghost;
+                    ContactList& list =
+                        lists[first_list + interaction_[particles.material[first] * materials_ +
+                                                        particles.material[second]]];
+                    list.candidates.push_back({first, second});
+                    double const near = touching + reach.contacts;
+                    if (squared < near * near)
+                        add_contact(list, first, second);
+                }
+        }
+    }
+}
+
 void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector<Wall> const& walls,
                                          double skin, std::vector<ContactList>& lists)
 {
-    std::size_t const pair_lists = lists.size() / 2;
+    auto const pair_lists = static_cast<std::size_t>(
+        std::find_if(lists.begin(), lists.end(), [](auto const& list) { return list.with_wall; }) -
+        lists.begin());
     for (std::uint32_t w = 0; w < walls.size(); ++w) {
         Wall const& wall = walls[w];
         if (!wall.active)

@@ -19,7 +19,8 @@ constexpr double near_share = 0.25; // how far contacts reach beyond touch, over
 
 Simulation::Simulation(contact::Model const& model, SimulationOptions const& options)
     : options_(options), block_(std::make_unique<ContactBlock>()),
-      meter_(options.energy_ledger ? std::make_unique<EnergyMeter>() : nullptr)
+      meter_(options.energy_ledger ? std::make_unique<EnergyMeter>() : nullptr),
+      parts_(options.team ? std::make_unique<Decomposition>(*options.team, options.periodic) : nullptr)
 {
     make_law_sets(model);
     search_ = std::make_unique<NeighbourSearch>(materials_.size(), interaction_, options.periodic);
@@ -58,11 +59,17 @@ void Simulation::make_law_sets(contact::Model const& model)
     }
     if (!lists_.empty())
         return; // the same laws with new coefficients: histories stay
-    for (bool const with_wall : {false, true})
+    auto const add_lists = [&](bool with_wall, bool with_ghost) {
         for (auto list : lists) {
             list.with_wall = with_wall;
+            list.with_ghost = with_ghost;
             lists_.push_back(std::move(list));
         }
+    };
+    add_lists(false, false);
+    add_lists(true, false);
+    if (options_.team)
+        add_lists(false, true);
 }
 
 void Simulation::set_model(contact::Model const& model)
@@ -76,7 +83,14 @@ std::uint32_t Simulation::add_particle(Vector3 const& position, double radius, s
 {
     double const mass =
         materials_[material].density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-    auto const id = static_cast<std::uint32_t>(particles_.size());
+    auto const id = particles_added_++;
+    list_is_stale_ = true;
+    if (parts_) {
+        parts_->forget_all();
+        parts_->remove_ghosts(particles_);
+        if (!parts_->takes(id))
+            return id;
+    }
     particles_.place.push_back({position.x, position.y, position.z, radius});
     particles_.motion.push_back(
         {velocity.x, velocity.y, velocity.z, mass, spin.x, spin.y, spin.z, 0.4 * mass * radius * radius});
@@ -86,7 +100,6 @@ std::uint32_t Simulation::add_particle(Vector3 const& position, double radius, s
     if (meter_ && !first_step_)
         meter_->bring_in(mass * (0.5 * norm_squared(velocity) - dot(options_.gravity, position)) +
                          0.2 * mass * radius * radius * norm_squared(spin));
-    list_is_stale_ = true;
     return id;
 }
 
@@ -125,6 +138,8 @@ void Simulation::step()
     rebuild_if_needed();
     compute_loads();
     ++steps_done_;
+    if (parts_)
+        parts_->forget_all();
 }
 
 namespace {
@@ -162,9 +177,9 @@ void Simulation::move()
     double const dt = options_.time_step;
     double const kick = first_step_ ? 0.5 * dt : dt;
     first_step_ = false;
-    double const fastest =
+    double const fastest = largest(
         std::sqrt(move_particles(particles_.place.data(), particles_.motion.data(), particles_.load.data(),
-                                 particles_.size(), kick, dt, options_.gravity));
+                                 particles_.owned(), kick, dt, options_.gravity)));
     travelled_ += dt * std::max(fastest, 0.5 * (fastest + move_walls()));
 }
 
@@ -210,48 +225,70 @@ void Simulation::search_neighbours()
             p.x = options_.periodic.x.wrapped(p.x);
             p.y = options_.periodic.y.wrapped(p.y);
         }
-    Vector3 const& lower = options_.domain_lower;
-    Vector3 const& upper = options_.domain_upper;
-    for (Place const& p : particles_.place)
-        if (!(p.x >= lower.x && p.y >= lower.y && p.z >= lower.z && p.x <= upper.x && p.y <= upper.y &&
-              p.z <= upper.z)) {
-            left_domain_ = true; // or is not a number; check_health tells which
-            return;
-        }
-    update_ranges();
+    if (largest(is_outside_domain() ? 1.0 : 0.0) > 0) {
+        left_domain_ = true; // or is not a number; check_health tells which
+        return;
+    }
+    double const radius = update_ranges();
     double furthest = 0;
     for (auto const& range : ranges_)
         furthest = std::max(furthest, range.gap);
-    double const margin = near_share * options_.skin;
-    reach_ = {options_.skin + furthest, margin + furthest};
+    reach_ = {options_.skin + furthest, near_share * options_.skin + furthest};
+    if (parts_) {
+        search_->check_periods(radius, reach_.candidates); // fails on all ranks or on none
+        parts_->distribute(particles_, lists_, radius + reach_.candidates);
+    }
     search_->rebuild(particles_, walls_, reach_, lists_);
+    if (parts_)
+        parts_->renumber(search_->new_numbers(), particles_);
     travelled_ = 0;
-    near_until_ = 0.5 * margin;
+    near_until_ = 0.5 * near_share * options_.skin;
     list_is_stale_ = false;
     ++rebuilds_;
 }
 
-void Simulation::update_ranges()
+bool Simulation::is_outside_domain() const
 {
-    double largest = 0;
+    Vector3 const& lower = options_.domain_lower;
+    Vector3 const& upper = options_.domain_upper;
+    for (std::size_t k = 0; k < particles_.owned(); ++k) {
+        Place const& p = particles_.place[k];
+        if (!(p.x >= lower.x && p.y >= lower.y && p.z >= lower.z && p.x <= upper.x && p.y <= upper.y &&
+              p.z <= upper.z))
+            return true;
+    }
+    return false;
+}
+
+//! Returns the largest radius [m].
+double Simulation::update_ranges()
+{
+    double radius = 0;
     for (Place const& p : particles_.place)
-        largest = std::max(largest, p.radius);
+        radius = std::max(radius, p.radius);
+    radius = largest(radius);
     ranges_.clear();
     for (auto const& laws : laws_)
-        ranges_.push_back(contact::range_of(laws, largest));
+        ranges_.push_back(contact::range_of(laws, radius));
+    return radius;
 }
 
 void Simulation::compute_loads()
 {
     std::fill(wall_loads_.begin(), wall_loads_.end(), WallLoad{});
-    if (travelled_ > near_until_) {
+    bool const renews = travelled_ > near_until_;
+    if (renews)
         near_until_ = travelled_ + 0.5 * near_share * options_.skin;
-        for (ContactList& list : lists_)
-            if (!list.with_wall)
-                renewal_.renew(list, particles_, options_.periodic, reach_.contacts);
-    }
-    for (ContactList& list : lists_)
+    bool awaits_ghosts = parts_ != nullptr;
+    if (awaits_ghosts)
+        parts_->begin_exchange(particles_);
+    for (ContactList& list : lists_) {
+        if (list.with_ghost && std::exchange(awaits_ghosts, false))
+            parts_->finish_exchange(particles_);
+        if (renews && !list.with_wall)
+            renewal_.renew(list, particles_, options_.periodic, reach_.contacts);
         compute_contacts(list);
+    }
     if (meter_)
         meter_->add_work(walls_, wall_loads_, options_.time_step);
 }
@@ -298,7 +335,7 @@ void Simulation::evaluate_contacts(ContactList& list, std::uint32_t const* slots
         overlapping_ |= derive_geometry(block, list.with_wall, options_.overlap_limit);
         evaluate_laws(block, laws, layouts_[list.interaction], options_.time_step);
         if (meter_)
-            meter_->add_losses(block);
+            meter_->add_losses(block, share_of(list));
         if (list.with_wall)
             scatter_wall_contacts(block, list, particles_, walls_, wall_loads_);
         else
@@ -309,11 +346,11 @@ void Simulation::evaluate_contacts(ContactList& list, std::uint32_t const* slots
 Health Simulation::check_health()
 {
     double sum = 0;
-    for (std::size_t i = 0; i < particles_.size(); ++i)
+    for (std::size_t i = 0; i < particles_.owned(); ++i)
         sum += particles_.place[i].x + particles_.place[i].y + particles_.place[i].z + particles_.load[i].fx +
                particles_.load[i].tx;
-    bool const overlapping = std::exchange(overlapping_, false);
-    if (!std::isfinite(sum))
+    bool const overlapping = largest(std::exchange(overlapping_, false) ? 1.0 : 0.0) > 0;
+    if (largest(std::isfinite(sum) ? 0.0 : 1.0) > 0)
         return Health::not_a_number;
     if (left_domain_)
         return Health::escaped;
@@ -325,45 +362,57 @@ Health Simulation::check_health()
 
 Vector3 Simulation::velocity(std::size_t k) const
 {
-    Motion const& m = particles_.motion[k];
-    Vector3 const behind{m.vx, m.vy, m.vz};
-    if (first_step_)
-        return behind;
-    Load const& l = particles_.load[k];
-    return behind + 0.5 * options_.time_step * (Vector3{l.fx, l.fy, l.fz} / m.mass + options_.gravity);
+    Particles const& all = particles();
+    return velocity(all.motion[k], all.load[k]);
 }
 
 Vector3 Simulation::spin(std::size_t k) const
 {
-    Motion const& m = particles_.motion[k];
+    Particles const& all = particles();
+    return spin(all.motion[k], all.load[k]);
+}
+
+Vector3 Simulation::velocity(Motion const& m, Load const& l) const
+{
+    Vector3 const behind{m.vx, m.vy, m.vz};
+    if (first_step_)
+        return behind;
+    return behind + 0.5 * options_.time_step * (Vector3{l.fx, l.fy, l.fz} / m.mass + options_.gravity);
+}
+
+Vector3 Simulation::spin(Motion const& m, Load const& l) const
+{
     Vector3 const behind{m.wx, m.wy, m.wz};
     if (first_step_)
         return behind;
-    Load const& l = particles_.load[k];
     return behind + 0.5 * options_.time_step * (Vector3{l.tx, l.ty, l.tz} / m.inertia);
 }
 
 double Simulation::largest_speed() const
 {
-    double largest = 0;
-    for (Motion const& m : particles_.motion)
-        largest = std::max(largest, m.vx * m.vx + m.vy * m.vy + m.vz * m.vz);
-    return std::sqrt(largest);
+    double squared = 0;
+    for (std::size_t k = 0; k < particles_.owned(); ++k) {
+        Motion const& m = particles_.motion[k];
+        squared = std::max(squared, m.vx * m.vx + m.vy * m.vy + m.vz * m.vz);
+    }
+    return largest(std::sqrt(squared));
 }
 
 double Simulation::kinetic_energy() const
 {
     double energy = 0;
-    for (std::size_t k = 0; k < particles_.size(); ++k)
-        energy += 0.5 * particles_.motion[k].mass * norm_squared(velocity(k)) +
-                  0.5 * particles_.motion[k].inertia * norm_squared(spin(k));
-    return energy;
+    for (std::size_t k = 0; k < particles_.owned(); ++k) {
+        Motion const& m = particles_.motion[k];
+        Load const& l = particles_.load[k];
+        energy += 0.5 * m.mass * norm_squared(velocity(m, l)) + 0.5 * m.inertia * norm_squared(spin(m, l));
+    }
+    return sum(energy);
 }
 
 double Simulation::potential_energy() const
 {
     double energy = 0;
-    for (std::size_t k = 0; k < particles_.size(); ++k) {
+    for (std::size_t k = 0; k < particles_.owned(); ++k) {
         Place const& p = particles_.place[k];
         energy -= particles_.motion[k].mass * dot(options_.gravity, Vector3{p.x, p.y, p.z});
     }
@@ -376,7 +425,8 @@ StoredEnergy Simulation::stored_energy() const
     for (ContactList const& list : lists_)
         for (std::size_t s = 0; s < list.size(); ++s)
             if (list.touching[s])
-                sum += dem::stored_energy(laws_[list.interaction], layouts_[list.interaction],
+                sum += share_of(list) *
+                       dem::stored_energy(laws_[list.interaction], layouts_[list.interaction],
                                           list.state.data() + s * static_cast<std::size_t>(list.state_size));
     return sum;
 }
@@ -385,14 +435,14 @@ EnergyLedger Simulation::present_energy() const
 {
     EnergyLedger ledger;
     double const half = 0.5 * options_.time_step;
-    for (std::size_t k = 0; k < particles_.size(); ++k) {
+    for (std::size_t k = 0; k < particles_.owned(); ++k) {
         // The velocities before and after the kick at this place are v - half a and v + half a.
         Motion const& m = particles_.motion[k];
         Load const& l = particles_.load[k];
         Vector3 const change = half * (Vector3{l.fx, l.fy, l.fz} / m.mass + options_.gravity);
         Vector3 const turn = half / m.inertia * Vector3{l.tx, l.ty, l.tz};
-        ledger.kinetic_translation += 0.5 * m.mass * (norm_squared(velocity(k)) - norm_squared(change));
-        ledger.kinetic_rotation += 0.5 * m.inertia * (norm_squared(spin(k)) - norm_squared(turn));
+        ledger.kinetic_translation += 0.5 * m.mass * (norm_squared(velocity(m, l)) - norm_squared(change));
+        ledger.kinetic_rotation += 0.5 * m.inertia * (norm_squared(spin(m, l)) - norm_squared(turn));
     }
     ledger.potential = potential_energy();
     StoredEnergy const stored = stored_energy();
@@ -406,18 +456,22 @@ EnergyLedger Simulation::present_energy() const
 EnergyLedger Simulation::energy()
 {
     EnergyLedger ledger = present_energy();
-    meter_->complete(ledger);
+    meter_->add_sums(ledger);
+    if (parts_)
+        parts_->sum(ledger);
+    meter_->note_turn_over(ledger);
     return ledger;
 }
 
 namespace {
 
-std::size_t count_touching(std::vector<ContactList> const& lists, bool with_wall)
+double count_touching(std::vector<ContactList> const& lists, bool with_wall)
 {
-    std::size_t count = 0;
+    double count = 0;
     for (ContactList const& list : lists)
         if (list.with_wall == with_wall)
-            count += static_cast<std::size_t>(std::count(list.touching.begin(), list.touching.end(), 1));
+            count += share_of(list) *
+                     static_cast<double>(std::count(list.touching.begin(), list.touching.end(), 1));
     return count;
 }
 
@@ -425,11 +479,11 @@ std::size_t count_touching(std::vector<ContactList> const& lists, bool with_wall
 
 std::size_t Simulation::particle_contacts() const
 {
-    return count_touching(lists_, false);
+    return static_cast<std::size_t>(sum(count_touching(lists_, false)));
 }
 std::size_t Simulation::wall_contacts() const
 {
-    return count_touching(lists_, true);
+    return static_cast<std::size_t>(sum(count_touching(lists_, true)));
 }
 
 double rayleigh_time(double radius, contact::Material const& material)

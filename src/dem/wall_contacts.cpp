@@ -91,7 +91,7 @@ WallNeighbours find_neighbours(Wall const& wall, Particles const& particles, dou
     WallNeighbours found;
     std::visit(
         [&]<class Shape>(Shape const& shape) {
-            for (std::uint32_t i = 0; i < particles.size(); ++i) {
+            for (std::uint32_t i = 0; i < particles.owned(); ++i) {
                 Place const& p = particles.place[i];
                 Vector3 const position{p.x, p.y, p.z};
                 if constexpr (std::is_same_v<Shape, Mesh>) {

@@ -189,7 +189,8 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
                                with_energy_options({.time_step = rig.time_step,
                                                     .skin = rig.skin,
                                                     .domain_lower = {-beyond, -rig.depth, -rig.drop - 0.1},
-                                                    .domain_upper = {beyond, rig.depth, top + 1}},
+                                                    .domain_upper = {beyond, rig.depth, top + 1},
+                                                    .team = hooks.team},
                                                    input.experiment));
     std::uint32_t const material = material_index(rig.model, rig.material);
     for (std::size_t k = 0; k < places.size(); ++k)

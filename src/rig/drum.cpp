@@ -254,7 +254,8 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
                                                     .skin = setup.skin,
                                                     .domain_lower = {-beyond, -setup.drum.width, -beyond},
                                                     .domain_upper = {beyond, setup.drum.width, beyond},
-                                                    .periodic = periods(setup)},
+                                                    .periodic = periods(setup),
+                                                    .team = hooks.team},
                                                    input.experiment));
     add_walls(simulation, setup);
     Sampling const sampling(setup, expected_particles(setup));

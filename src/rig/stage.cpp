@@ -68,12 +68,17 @@ void StageRunner::check(std::string const& stage)
                                      100 * simulation_.energy().closure_error(),
                                      100 * simulation_.options().closure_limit, when));
     }
-    if (hooks_.should_stop && hooks_.should_stop())
+    if (is_agreed(hooks_.should_stop && hooks_.should_stop()))
         throw RunInterrupted();
     double const elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
-    if (hooks_.wall_time_limit > 0 && elapsed > hooks_.wall_time_limit)
+    if (is_agreed(hooks_.wall_time_limit > 0 && elapsed > hooks_.wall_time_limit))
         throw RunFailure(RunStatus::timed_out, fmt::format("the run took more than {:.0f} s of wall time {}",
                                                            hooks_.wall_time_limit, when));
+}
+
+bool StageRunner::is_agreed(bool here) const
+{
+    return hooks_.team ? hooks_.team->any(here) : here;
 }
 
 void StageRunner::write_frames(std::string const& stage)

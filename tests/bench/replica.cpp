@@ -81,10 +81,12 @@ contact::Model powder(std::string const& rolling)
     return {{{"powder", density, 5e6, 0.3}}, {pair}};
 }
 
-std::unique_ptr<dem::Simulation> make_simulation(State const& state, std::string const& rolling)
+std::unique_ptr<dem::Simulation> make_simulation(State const& state, std::string const& rolling,
+                                                 dem::Team* team)
 {
     auto simulation = std::make_unique<dem::Simulation>(
-        powder(rolling), dem::SimulationOptions{.time_step = state.time_step, .skin = state.skin});
+        powder(rolling),
+        dem::SimulationOptions{.time_step = state.time_step, .skin = state.skin, .team = team});
     for (Sphere const& s : state.spheres)
         simulation->add_particle(s.position, s.radius, 0, s.velocity, s.spin);
     constexpr Vector3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};

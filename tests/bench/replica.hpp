@@ -30,8 +30,9 @@ struct State
 //! E = 5 MPa, nu = 0.3, e = 0.4, mu = 0.5, mu_r = 0.1, 2500 kg/m^3: Hertz-Mindlin with history, as the peers
 //! have it; `rolling`: none or epsd2.
 contact::Model powder(std::string const& rolling);
-//! The state as a simulation, without contact histories.
-std::unique_ptr<dem::Simulation> make_simulation(State const& state, std::string const& rolling);
+//! The state as a simulation, without contact histories; of a team where there is one.
+std::unique_ptr<dem::Simulation> make_simulation(State const& state, std::string const& rolling,
+                                                 dem::Team* team = nullptr);
 
 //! Spheres of radius 0.5 to 1 mm at rest in a box as wide as the bed is high.
 State settled_box(int spheres);

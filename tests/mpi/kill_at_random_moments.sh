@@ -14,4 +14,4 @@ expect_code 0 "$MPIRUN" -n 1 "$DRIVER" run undisturbed.h5 $WAVES $POINTS
 # The campaigns differ in one option that neither responses nor seeds depend on.
 new_campaign() { "$DRIVER" create "$1.h5" 'milliseconds = 60' || fail "create"; }
 session() { SESSION=("$DRIVER" run "$1.h5" $WAVES $POINTS); }
-kill_twenty_times
+kill_many_times

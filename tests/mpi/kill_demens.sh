@@ -11,4 +11,4 @@ session() { SESSION=("$DEMENS" "$1.toml"); }
 new_campaign undisturbed
 expect_code 0 "$MPIRUN" -n 1 "$DEMENS" undisturbed.toml
 "$DRIVER" dump undisturbed.h5 >undisturbed.txt || fail "dump"
-kill_twenty_times
+kill_many_times

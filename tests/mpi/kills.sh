@@ -1,16 +1,18 @@
-# kill -9 of mpirun at random moments, 20 times, in campaigns that are gone on with until they end; each ends with the
+# kill -9 of mpirun at random moments, KILLS times (20), in campaigns that are gone on with until they end; each ends with the
 # same results, bit for bit, as undisturbed.txt. The script that includes this defines
 #   new_campaign NAME     makes NAME.h5, or what it is made of
 #   session NAME          sets the array SESSION to the command that goes on with it
+# and may set RANKS, the numbers of ranks to choose from.
 kills=0 campaigns=1
 RANDOM=${SEED:-20} # the moments and numbers of ranks
+RANKS=(1 2 3)
 
 # One session, killed, or not when $1 is `end`.
 go_on() {
   local name=campaign-$campaigns code=0
   [ -e $name.h5 ] || new_campaign $name
   session $name
-  "$MPIRUN" -n $((1 + RANDOM % 3)) "${SESSION[@]}" >>$name.log 2>&1 &
+  "$MPIRUN" -n ${RANKS[RANDOM % ${#RANKS[@]}]} "${SESSION[@]}" >>$name.log 2>&1 &
   local pid=$!
   [ "$1" = end ] || { sleep "$(printf '%d.%03d' $((RANDOM % 3)) $((100 + RANDOM % 900)))"; kill -9 $pid 2>/dev/null; }
   wait $pid 2>/dev/null || code=$?
@@ -27,8 +29,8 @@ go_on() {
   fi
 }
 
-kill_twenty_times() {
-  while [ $kills -lt 20 ]; do go_on kill; done
+kill_many_times() {
+  while [ $kills -lt ${KILLS:-20} ]; do go_on kill; done
   go_on end
   echo "the same after $kills kills in $((campaigns - 1)) campaigns"
 }

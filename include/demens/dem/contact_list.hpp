@@ -42,6 +42,7 @@ struct ContactList
 {
     std::uint32_t interaction = 0; //!< index of the law set
     bool with_wall = false;        //!< `second` is a wall, not a particle
+    bool with_ghost = false;       //!< one of the two is a particle of another process
     int state_size = 0;            //!< doubles of history per pair: scalars, then vectors
     int state_scalars = 0; //!< how many of them are scalars; vectors change sign when a pair is reversed
 
@@ -78,5 +79,11 @@ struct ContactList
             offset.push_back({});
     }
 };
+
+//! Part of a list's contacts that belongs to this process: those with ghosts are half the other's.
+inline double share_of(ContactList const& list)
+{
+    return list.with_ghost ? 0.5 : 1.0;
+}
 
 } // namespace demens::dem

@@ -12,8 +12,8 @@ namespace demens::dem {
 class EnergyMeter
 {
   public:
-    //! Losses of the contacts of a block since the step before.
-    void add_losses(ContactBlock const& block);
+    //! A share of the losses of the contacts of a block since the step before.
+    void add_losses(ContactBlock const& block, double share = 1);
     //! Work of the walls since the step before, under the mean of the loads then and now.
     void add_work(std::vector<Wall> const& walls, std::vector<WallLoad> const& loads, double time_step);
     //! Energy that came with particles, or that a change from outside made [J].
@@ -23,8 +23,10 @@ class EnergyMeter
     //! Forgets everything; the particles bring in the energy that they have.
     void start(std::vector<WallLoad> const& loads, double energy);
 
-    //! Completes a ledger of what there is now.
-    void complete(EnergyLedger& ledger);
+    //! Gives a ledger of what there is now what was added up.
+    void add_sums(EnergyLedger& ledger) const;
+    //! Completes it, when it is that of the whole.
+    void note_turn_over(EnergyLedger& ledger);
 
   private:
     //! Sums of the lanes of all blocks, so that adding a block is one loop over lanes.

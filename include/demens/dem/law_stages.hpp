@@ -33,6 +33,10 @@ struct StoredEnergy
         rolling += other.rolling, cohesive += other.cohesive;
         return *this;
     }
+    friend StoredEnergy operator*(double factor, StoredEnergy const& e)
+    {
+        return {factor * e.normal, factor * e.tangential, factor * e.rolling, factor * e.cohesive};
+    }
 };
 //! What the history of one contact says; its layout must have room for the ledger.
 StoredEnergy stored_energy(contact::LawSet const& laws, StateLayout const& layout, double const* state);

@@ -33,7 +33,9 @@ struct alignas(64) Load
     double tx, ty, tz, unused2; //!< [N m]
 };
 
-//! All particles, in an order that changes at each neighbour rebuild; `id` stays with a particle.
+//! All particles, in an order that changes at each neighbour rebuild; `id` stays with a particle. Where several
+//! processes share a simulation, those of this one, then the ghosts: copies of particles of the others that
+//! come near.
 struct Particles
 {
     std::vector<Place> place;
@@ -41,8 +43,15 @@ struct Particles
     std::vector<Load> load;
     std::vector<std::uint32_t> material; //!< index into the model's materials
     std::vector<std::uint32_t> id;       //!< order in which particles were added
+    std::size_t ghosts = 0;
 
     std::size_t size() const { return place.size(); }
+    std::size_t owned() const { return place.size() - ghosts; }
+    void resize(std::size_t count)
+    {
+        place.resize(count), motion.resize(count), load.resize(count);
+        material.resize(count), id.resize(count);
+    }
 };
 
 } // namespace demens::dem

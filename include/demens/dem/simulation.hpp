@@ -5,6 +5,7 @@
 #include "demens/dem/contact_block.hpp"
 #include "demens/dem/contact_list.hpp"
 #include "demens/dem/contact_renewal.hpp"
+#include "demens/dem/decomposition/decomposition.hpp"
 #include "demens/dem/energy_meter.hpp"
 #include "demens/dem/law_stages.hpp"
 #include "demens/dem/neighbours.hpp"
@@ -31,6 +32,7 @@ struct SimulationOptions
     Periods periodic = {};       //!< particles that leave a period come back on its other side
     bool energy_ledger = false;  //!< account for all energy; the motion is the same, bit for bit
     double closure_limit = 0.05; //!< largest closure error of the ledger that counts as healthy
+    Team* team = nullptr;        //!< who shares the simulation; null: nobody
 };
 
 enum class Health
@@ -42,7 +44,8 @@ enum class Health
     unbalanced //!< the energy ledger does not close
 };
 
-//! Spheres and walls that move and touch: the state and one time step of it.
+//! Spheres and walls that move and touch: the state and one time step of it. With a team, all its ranks make
+//! the same calls, const ones too, and see the same state of the whole.
 class Simulation
 {
   public:
@@ -75,10 +78,13 @@ class Simulation
     double time() const { return static_cast<double>(steps_done_) * options_.time_step; }
     std::int64_t steps_done() const { return steps_done_; }
     SimulationOptions const& options() const { return options_; }
-    Particles const& particles() const { return particles_; }
+    Particles const& particles() const { return parts_ ? parts_->all(particles_) : particles_; }
     std::vector<Wall> const& walls() const { return walls_; }
     //! Force and torque of the particles on each wall in the last step.
-    std::vector<WallLoad> const& wall_loads() const { return wall_loads_; }
+    std::vector<WallLoad> const& wall_loads() const
+    {
+        return parts_ ? parts_->all(wall_loads_) : wall_loads_;
+    }
     //! Velocity and spin of particle number k (not id) at the time of its place [m/s], [rad/s].
     Vector3 velocity(std::size_t k) const;
     Vector3 spin(std::size_t k) const;
@@ -90,6 +96,9 @@ class Simulation
     std::size_t particle_contacts() const;
     std::size_t wall_contacts() const;
     std::int64_t rebuilds() const { return rebuilds_; }
+    //! Of a team: particles of this rank alone, and copies of those of others.
+    std::size_t particles_here() const { return particles_.owned(); }
+    std::size_t ghosts_here() const { return particles_.ghosts; }
 
   private:
     void make_law_sets(contact::Model const& model);
@@ -99,11 +108,17 @@ class Simulation
     void compute_loads();
     void compute_contacts(ContactList& list);
     void evaluate_contacts(ContactList& list, std::uint32_t const* slots, std::size_t count);
-    void update_ranges();
+    double update_ranges();
     void search_neighbours();
+    bool is_outside_domain() const;
     EnergyLedger present_energy() const;
     double potential_energy() const;
     StoredEnergy stored_energy() const;
+    Vector3 velocity(Motion const& motion, Load const& load) const;
+    Vector3 spin(Motion const& motion, Load const& load) const;
+    //! Over all ranks.
+    double sum(double value) const { return parts_ ? parts_->sum(value) : value; }
+    double largest(double value) const { return parts_ ? parts_->team().largest(value) : value; }
 
     SimulationOptions options_;
     std::vector<contact::Material> materials_;
@@ -115,13 +130,15 @@ class Simulation
     std::vector<Wall> walls_;
     std::vector<WallLoad> wall_loads_;
     std::map<std::uint32_t, MovedWall> moved_walls_; //!< by number
-    std::vector<ContactList> lists_;                 //!< among particles, then with walls
-    std::vector<std::uint32_t> touching_, parted_;   //!< slots found by the pair test
+    std::vector<ContactList> lists_; //!< among particles, with walls, and, in a team, with ghosts
+    std::vector<std::uint32_t> touching_, parted_; //!< slots found by the pair test
     std::unique_ptr<NeighbourSearch> search_;
     std::unique_ptr<ContactBlock> block_;
-    std::unique_ptr<EnergyMeter> meter_; //!< null without the ledger
-    double travelled_ = 0;               //!< bound on how far any body moved since the rebuild [m]
-    double near_until_ = 0;              //!< distance travelled after which contacts are renewed [m]
+    std::unique_ptr<EnergyMeter> meter_;   //!< null without the ledger; of this rank's part
+    std::unique_ptr<Decomposition> parts_; //!< null without a team
+    std::uint32_t particles_added_ = 0;
+    double travelled_ = 0;  //!< bound on how far any body moved since the rebuild [m]
+    double near_until_ = 0; //!< distance travelled after which contacts are renewed [m]
     NeighbourReach reach_ = {};
     ContactRenewal renewal_;
     bool list_is_stale_ = true;

@@ -41,6 +41,8 @@ class StageRunner
   private:
     void check(std::string const& stage);
     void write_frames(std::string const& stage);
+    //! Whether any rank of the team says so: what depends on clocks and signals must end all or none.
+    bool is_agreed(bool here) const;
 
     dem::Simulation& simulation_;
     RunHooks const& hooks_;

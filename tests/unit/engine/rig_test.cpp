@@ -2,6 +2,7 @@
 #include "demens/base/error.hpp"
 #include "demens/rig/common.hpp"
 #include "demens/rig/rig.hpp"
+#include "tests/support/small_drawdown.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,42 +11,7 @@
 namespace {
 
 using namespace demens;
-
-contact::PairProperties pair(std::string a, std::string b)
-{
-    contact::PairProperties p{.first = std::move(a), .second = std::move(b)};
-    p.restitution = 0.37;
-    p.static_friction = p.kinetic_friction = 0.3;
-    p.rolling_friction = 0.1;
-    p.normal = contact::NormalLaw::hysteretic_spring;
-    p.tangential = contact::TangentialLaw::linear_coulomb;
-    p.rolling = contact::RollingLaw::epsd;
-    return p;
-}
-
-//! A small, soft draw down test: about 240 spheres.
-rig::RunInput small_drawdown(std::uint64_t seed)
-{
-    rig::RunInput input;
-    input.model.materials = {{"stone", 2600, 1e6, 0.3}, {"wood", 700, 1e8, 0.3}, {"glass", 2500, 1e9, 0.2}};
-    input.model.pairs = {pair("stone", "stone"), pair("stone", "wood"), pair("stone", "glass")};
-    input.size_distributions.emplace("gravel", shape::SizeDistribution({0.016, 0.024}, {0, 1}));
-    input.experiment = defaults_of(rig::find_rig("drawdown")->options);
-    auto& options = input.experiment;
-    options.set("material", std::string("stone"));
-    options.set("wall_material", std::string("wood"));
-    options.set("window_material", std::string("glass"));
-    options.set("size_distribution", std::string("gravel"));
-    options.set("mass_kg", 2.6);
-    options.set("bulk_density", 1500.0);
-    options.set("box_width_mm", 240.0);
-    options.set("box_depth_mm", 60.0);
-    options.set("slot_width_mm", 110.0);
-    options.set("drop_height_mm", 200.0);
-    options.set("lower_box_width_mm", 270.0);
-    input.seed = seed;
-    return input;
-}
+using demens::testing::small_drawdown;
 
 //! The refusal of a changed input.
 std::string refusal(std::string const& key, double value)

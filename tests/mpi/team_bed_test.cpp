@@ -1,0 +1,192 @@
+// Beds that several ranks share: nothing is lost, momentum and energy are kept, and as long as rounding has not
+// grown the places are those of one rank.
+#include "team_setup.hpp"
+
+#include "demens/base/random.hpp"
+#include "demens/shape/packing.hpp"
+#include "tests/support/meshes.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace {
+
+using namespace demens;
+using namespace demens::test;
+
+constexpr double radius = 2e-3, time_step = 2e-5;
+
+//! Spheres of a factor of three in size, loosely above z = 0 in a column.
+void pour(dem::Simulation& simulation, int count, double width, double depth, Vector3 const& velocity = {})
+{
+    RandomStream random(3);
+    std::vector<double> diameters;
+    for (int k = 0; k < count; ++k)
+        diameters.push_back(radius * random.uniform(1, 3));
+    auto const places = shape::loose_packing(diameters, {-0.5 * width, -0.5 * depth, 0}, width, depth, 0.3, random);
+    for (std::size_t k = 0; k < places.size(); ++k)
+        simulation.add_particle(places[k], 0.5 * diameters[k], 0, velocity);
+}
+
+void add_floor(dem::Simulation& simulation)
+{
+    simulation.add_wall(rectangle({}, {1, 0, 0}, {0, 1, 0}));
+}
+
+dem::Simulation box(dem::Team* team, int count, double side)
+{
+    dem::Simulation simulation(springs(1e7),
+                               {.time_step = time_step, .skin = 0.3 * radius, .energy_ledger = true, .team = team});
+    pour(simulation, count, side, side, {0, 0, -1});
+    add_floor(simulation);
+    for (double const at : {-0.5 * side, 0.5 * side}) {
+        simulation.add_wall(rectangle({at, 0, 0}, {0, 1, 0}, {0, 0, 1}));
+        simulation.add_wall(rectangle({0, at, 0}, {0, 0, 1}, {1, 0, 0}));
+    }
+    return simulation;
+}
+
+double mass_of(dem::Simulation const& simulation)
+{
+    auto const& particles = simulation.particles();
+    double mass = 0;
+    for (std::size_t const k : numbers_by_id(particles))
+        mass += particles.motion[k].mass;
+    return mass;
+}
+
+void expect_no_force_is_left(dem::Simulation const& simulation)
+{
+    double magnitude = 0;
+    Vector3 const left = sum_of_forces(simulation, magnitude);
+    ASSERT_LE(norm(left), 1e-13 * magnitude);
+}
+
+TEST(Bed, FallsAndRestsInABoxWithNothingLost)
+{
+    constexpr int count = 2000;
+    auto shared = box(&team(), count, 0.05);
+    double const mass = mass_of(box(nullptr, count, 0.05));
+    double share = 0; // of the rank with most particles, over the mean
+    for (int k = 0; k < 30; ++k) {
+        shared.steps(250);
+        ASSERT_EQ(shared.check_health(), dem::Health::good);
+        ASSERT_EQ(shared.particles().size(), static_cast<std::size_t>(count));
+        for (std::uint32_t id = 0; id < count; ++id)
+            ASSERT_EQ(shared.particles().id[id], id);
+        ASSERT_EQ(mass_of(shared), mass);
+        double here = static_cast<double>(shared.particles_here());
+        share = team().largest(here) * team().size() / count;
+        team().sum(std::span(&here, 1));
+        ASSERT_EQ(here, count);
+        expect_no_force_is_left(shared);
+    }
+    EXPECT_LT(share, 1.3); // at rest; the cuts go by weight, not by number
+    EXPECT_GT(shared.rebuilds(), 100);
+    EXPECT_GT(shared.particle_contacts(), 3000u);
+    auto const ledger = shared.energy();
+    EXPECT_LT(std::abs(ledger.closure_error()), 0.01);
+    EXPECT_GT(ledger.lost(), 0.5 * ledger.turned_over);
+}
+
+//! Steps both and compares before chance takes over: rounding grows at every collision.
+void expect_the_same(dem::Simulation& alone, dem::Simulation& shared, int rounds, int steps)
+{
+    for (int k = 0; k < rounds; ++k) {
+        alone.steps(steps), shared.steps(steps);
+        ASSERT_EQ(alone.check_health(), shared.check_health());
+        auto const difference = difference_of(alone, shared);
+        ASSERT_LT(difference.place, 1e-8 * radius) << "round " << k;
+        ASSERT_LT(difference.velocity, 1e-7);
+        ASSERT_EQ(alone.particle_contacts(), shared.particle_contacts()) << "round " << k;
+        ASSERT_EQ(alone.wall_contacts(), shared.wall_contacts());
+        ASSERT_NEAR(alone.kinetic_energy(), shared.kinetic_energy(), 1e-9 * alone.kinetic_energy());
+        expect_no_force_is_left(shared);
+        for (std::size_t w = 0; w < alone.walls().size(); ++w) {
+            auto const &a = alone.wall_loads()[w], &b = shared.wall_loads()[w];
+            ASSERT_LE(norm(a.force - b.force), 1e-5 * norm(a.force)) << "wall " << w;
+            ASSERT_LE(norm(a.torque - b.torque), 1e-5 * norm(a.force) * 0.1) << "wall " << w;
+        }
+    }
+}
+
+TEST(Bed, BeginsAsWithOneRank)
+{
+    auto alone = box(nullptr, 400, 0.03), shared = box(&team(), 400, 0.03);
+    expect_the_same(alone, shared, 12, 100);
+    EXPECT_GT(shared.particle_contacts(), 100u);
+    auto const a = alone.energy(), b = shared.energy();
+    for (auto const& entry : dem::energy_entries)
+        EXPECT_NEAR(a.*entry.value, b.*entry.value, 1e-7 * a.turned_over) << entry.name;
+}
+
+TEST(Bed, BeginsAsWithOneRankInPeriods)
+{
+    for (bool const both : {false, true}) {
+        auto const make = [&](dem::Team* team) {
+            dem::Periods periods{.x = {-0.015, 0.015}};
+            if (both)
+                periods.y = {-0.015, 0.015};
+            dem::Simulation simulation(springs(1e6), {.time_step = time_step,
+                                                      .gravity = {2, 1, -9.81},
+                                                      .skin = 0.3 * radius,
+                                                      .periodic = periods,
+                                                      .energy_ledger = true,
+                                                      .team = team});
+            pour(simulation, 400, 0.03, 0.03, {0.5, 0.3, -1});
+            add_floor(simulation);
+            if (!both)
+                for (double const at : {-0.015, 0.015})
+                    simulation.add_wall(rectangle({0, at, 0}, {0, 0, 1}, {1, 0, 0}));
+            return simulation;
+        };
+        auto alone = make(nullptr), shared = make(&team());
+        expect_the_same(alone, shared, 12, 100);
+        EXPECT_GT(shared.particle_contacts(), 100u);
+        EXPECT_NEAR(alone.energy().gap(), shared.energy().gap(), 1e-7 * alone.energy().turned_over);
+    }
+}
+
+TEST(Bed, BeginsAsWithOneRankInATurningDrumOfTriangles)
+{
+    auto const make = [](dem::Team* team) {
+        dem::Simulation simulation(springs(1e6),
+                                   {.time_step = time_step, .skin = 0.3 * radius, .energy_ledger = true, .team = team});
+        pour(simulation, 300, 0.03, 0.03, {0, 0, -1});
+        auto mesh = demens::testing::mesh_of(demens::testing::drum_triangles(0.05, 0.03, 24, 4));
+        mesh.placement.shift = {0, 0, 0.045};
+        simulation.add_wall({.shape = mesh, .spin = {0, 6, 0}, .pivot = {0, 0, 0.045}});
+        for (double const at : {-0.015, 0.015})
+            simulation.add_wall(rectangle({0, at, 0}, {0, 0, 1}, {1, 0, 0}));
+        return simulation;
+    };
+    auto alone = make(nullptr), shared = make(&team());
+    expect_the_same(alone, shared, 12, 100);
+    EXPECT_GT(shared.particle_contacts(), 50u);
+}
+
+TEST(Bed, ACloudWithoutWallsKeepsItsMomentum)
+{
+    dem::Simulation simulation(springs(1e6),
+                               {.time_step = time_step, .gravity = {}, .skin = 0.3 * radius, .team = &team()});
+    RandomStream random(5);
+    double momentum = 0;
+    for (int k = 0; k < 500; ++k)
+        simulation.add_particle({3 * radius * (k % 8), 3 * radius * (k / 8 % 8), 3 * radius * (k / 64)}, radius, 0,
+                                {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    auto const sum = [&] {
+        Vector3 sum{};
+        momentum = 0;
+        auto const& particles = simulation.particles();
+        for (std::size_t k = 0; k < particles.size(); ++k) {
+            sum = sum + particles.motion[k].mass * simulation.velocity(k);
+            momentum += particles.motion[k].mass * norm(simulation.velocity(k));
+        }
+        return sum;
+    };
+    Vector3 const before = sum();
+    simulation.steps(2000);
+    EXPECT_LT(norm(sum() - before), 1e-12 * momentum);
+}
+
+} // namespace

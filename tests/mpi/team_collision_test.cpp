@@ -1,0 +1,144 @@
+// Single collisions of spheres that two ranks own, against the same ones of one rank; and hardly any particles.
+#include "team_setup.hpp"
+
+namespace {
+
+using namespace demens;
+using namespace demens::test;
+
+constexpr double radius = 5e-3, time_step = 5e-6;
+
+//! Resting spheres far from the path along x, so many left and right of it that what moves on the path changes no
+//! cut: it changes its owner instead. The cut between two ranks is just right of a sphere at x = `cut`.
+void add_bystanders(dem::Simulation& simulation, int left, int right, double cut)
+{
+    if (cut != 0)
+        simulation.add_particle({cut, 1, 0}, radius, 0);
+    for (int k = 0; k < left; ++k)
+        simulation.add_particle({-1.0 - 0.02 * k, 1, 0}, radius, 0);
+    for (int k = 0; k < right; ++k)
+        simulation.add_particle({1.0 + 0.02 * k, 1, 0}, radius, 0);
+}
+
+struct Case
+{
+    char const* name;
+    int left, right;  // bystanders
+    Vector3 approach; // velocity of the first relative to the second [m/s]
+    Vector3 drift;    // of both [m/s]
+};
+
+class Collision : public testing::TestWithParam<Case>
+{
+  protected:
+    static dem::Simulation make(dem::Team* team, Case const& c)
+    {
+        dem::Simulation simulation(springs(1e6), {.time_step = time_step,
+                                                  .gravity = {},
+                                                  .skin = 0.2 * radius,
+                                                  .energy_ledger = true,
+                                                  .team = team});
+        double const from = c.drift.x < 0 ? 0.08 : c.drift.x > 0 ? -0.08 : 0;
+        simulation.add_particle({from - 1.01 * radius, 1e-3, 0}, radius, 0, c.drift + 0.5 * c.approach, {3, 50, 20});
+        simulation.add_particle({from + 1.01 * radius, 0, 1e-3}, 0.9 * radius, 0, c.drift - 0.5 * c.approach, {0, 40, -10});
+        add_bystanders(simulation, c.left, c.right, 0.6 * from);
+        return simulation;
+    }
+};
+
+TEST_P(Collision, IsThatOfOneRank)
+{
+    auto alone = make(nullptr, GetParam()), shared = make(&team(), GetParam());
+    int touching = 0, moves = 0;
+    std::size_t here = 0;
+    for (int k = 0; k < 3000; ++k) {
+        alone.step();
+        shared.step();
+        ASSERT_EQ(alone.particle_contacts(), shared.particle_contacts()) << "step " << k;
+        auto const contacts = alone.particle_contacts();
+        touching += contacts > 0;
+        moves += k > 0 && contacts > 0 && team().any(here != shared.particles_here());
+        here = shared.particles_here();
+        if (k % 10 > 0)
+            continue;
+        auto const difference = difference_of(alone, shared);
+        ASSERT_LT(difference.place, 1e-14) << "step " << k;
+        ASSERT_LT(difference.velocity, 1e-11) << "step " << k;
+        ASSERT_LT(difference.spin, 1e-9) << "step " << k;
+        double magnitude = 0;
+        Vector3 const left = sum_of_forces(shared, magnitude);
+        ASSERT_EQ(left.x, 0) << "step " << k; // one contact: exactly opposite
+        ASSERT_EQ(left.y, 0);
+        ASSERT_EQ(left.z, 0);
+    }
+    EXPECT_GT(touching, 500);
+    EXPECT_EQ(alone.particle_contacts(), 0u);
+    if (GetParam().drift.x != 0 && team().size() == 2) {
+        EXPECT_GE(moves, 2) << "both spheres were to change their owner while they touch";
+    }
+    auto const a = alone.energy(), b = shared.energy();
+    for (auto const& entry : dem::energy_entries)
+        EXPECT_NEAR(a.*entry.value, b.*entry.value, 1e-12 * a.turned_over) << entry.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Team, Collision,
+                         testing::Values(Case{"head_on", 0, 0, {1, 0, 0}, {}},
+                                         Case{"oblique", 0, 0, {1, 0.8, 0.3}, {}},
+                                         Case{"oblique_among_others", 99, 99, {1, 0.8, 0.3}, {}},
+                                         Case{"oblique_to_the_right", 99, 102, {1, 0.8, 0.3}, {20, 0, 0}},
+                                         Case{"oblique_to_the_left", 101, 100, {1, 0.8, 0.3}, {-20, 0, 0}}),
+                         [](auto const& info) { return std::string(info.param.name); });
+
+TEST(FewParticles, AsManyAsThereAreMoveAndBounce)
+{
+    for (int const count : {0, 1, 2, 3}) {
+        auto const make = [&](dem::Team* team) {
+            dem::Simulation simulation(springs(1e6), {.time_step = time_step, .skin = 0.2 * radius, .team = team});
+            for (int k = 0; k < count; ++k)
+                simulation.add_particle({0.03 * k, 0, 1.5 * radius}, radius, 0);
+            simulation.add_wall(rectangle({}, {1, 0, 0}, {0, 1, 0}));
+            return simulation;
+        };
+        auto alone = make(nullptr), shared = make(&team());
+        for (int k = 0; k < 10; ++k) {
+            alone.steps(200), shared.steps(200);
+            ASSERT_EQ(shared.check_health(), dem::Health::good);
+            ASSERT_EQ(shared.particles().size(), static_cast<std::size_t>(count));
+            ASSERT_LT(difference_of(alone, shared).place, 1e-14);
+            ASSERT_EQ(alone.wall_contacts(), shared.wall_contacts());
+            ASSERT_NEAR(alone.kinetic_energy(), shared.kinetic_energy(), 1e-15);
+            ASSERT_NEAR(alone.largest_speed(), shared.largest_speed(), 1e-12);
+        }
+        // Another one enters while the others move.
+        alone.add_particle({0.1, 0.1, 0.1}, radius, 0), shared.add_particle({0.1, 0.1, 0.1}, radius, 0);
+        alone.steps(300), shared.steps(300);
+        ASSERT_LT(difference_of(alone, shared).place, 1e-14);
+    }
+}
+
+TEST(Escape, IsSeenByAllRanks)
+{
+    dem::Simulation simulation(springs(1e6), {.time_step = time_step,
+                                              .skin = 0.2 * radius,
+                                              .domain_lower = {-1, -1, 0},
+                                              .domain_upper = {1, 1, 1},
+                                              .team = &team()});
+    for (int k = 0; k < 5; ++k)
+        simulation.add_particle({0.1 * k, 0, 0.1}, radius, 0, {0, 0, k == 4 ? -10.0 : 0.0});
+    simulation.steps(50);
+    EXPECT_EQ(simulation.check_health(), dem::Health::good);
+    simulation.steps(2500);
+    EXPECT_EQ(simulation.check_health(), dem::Health::escaped);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    MPI_Init(&argc, &argv);
+    testing::InitGoogleTest(&argc, argv);
+    int failed = RUN_ALL_TESTS();
+    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    MPI_Finalize();
+    return failed;
+}
