@@ -115,25 +115,30 @@ void ReferenceLoop::find_loads()
     for (Body& body : bodies_)
         body.force = body.torque = {};
     wall_loads_.assign(walls_.size(), {});
-    double largest = 0;
+    double largest = 0, furthest = 0;
     for (Body const& body : bodies_)
         largest = std::max(largest, body.radius);
-    find_pair_loads(largest);
+    for (auto const& [materials, laws] : laws_)
+        furthest = std::max(furthest, range_of(laws, largest).gap);
+    find_pair_loads(largest, furthest);
     find_wall_loads(largest);
 }
 
-void ReferenceLoop::find_pair_loads(double largest_radius)
+void ReferenceLoop::find_pair_loads(double largest_radius, double furthest)
 {
     std::map<Pair, History> touching;
     for (std::size_t a = 0; a < bodies_.size(); ++a)
         for (std::size_t b = a + 1; b < bodies_.size(); ++b) {
             Body& i = bodies_[a];
             Body& j = bodies_[b];
+            double const distance = norm(from_j_to_i(i, j)), in_contact = i.radius + j.radius;
+            if (distance >= in_contact + furthest)
+                continue;
             contact::LawSet const& laws = laws_of(i.material, j.material);
             auto const before = pairs_.find({a, b});
             bool const touched = before != pairs_.end();
             double const gap = range_of(laws, largest_radius).reach(touched);
-            if (norm(from_j_to_i(i, j)) >= i.radius + j.radius + gap)
+            if (distance >= in_contact + gap)
                 continue;
             History& history = touching[{a, b}];
             if (touched)

@@ -78,7 +78,7 @@ class ReferenceLoop
     Meeting meet(Body const& i, dem::Wall const& wall, Vector3 const& offset) const;
     Action act(Meeting const& meeting, contact::LawSet const& laws, History& history) const;
     void find_loads();
-    void find_pair_loads(double largest_radius);
+    void find_pair_loads(double largest_radius, double furthest);
     void find_wall_loads(double largest_radius);
 
     dem::SimulationOptions options_;
