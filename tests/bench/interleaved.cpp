@@ -1,9 +1,16 @@
 #include "tests/bench/interleaved.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 
 namespace demens::bench {
+
+double processor_seconds()
+{
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 double Contestant::best() const
 {
@@ -17,11 +24,9 @@ void time_in_turns(std::vector<Contestant>& contestants, int warm_up, int steps,
     for (int round = 0; round < rounds; ++round)
         for (Contestant& c : contestants) {
             auto const rebuilds = c.simulation->rebuilds();
-            auto const start = std::chrono::steady_clock::now();
+            double const start = processor_seconds();
             c.simulation->steps(steps);
-            double const taken =
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            c.seconds.push_back(taken / steps);
+            c.seconds.push_back((processor_seconds() - start) / steps);
             c.contacts =
                 static_cast<double>(c.simulation->particle_contacts() + c.simulation->wall_contacts());
             c.rebuilds += static_cast<double>(c.simulation->rebuilds() - rebuilds) / (steps * rounds);

@@ -8,6 +8,9 @@
 
 namespace demens::bench {
 
+//! Time on the processor since the start of the program [s]: others on the machine do not count.
+double processor_seconds();
+
 //! A simulation that is timed in turns with others, so that what disturbs the machine disturbs all of them.
 struct Contestant
 {

@@ -147,8 +147,9 @@ State settled_box(int spheres, Sizes sizes)
 State flowing_drum(int spheres, Sizes sizes)
 {
     auto const r = radii(spheres, sizes);
-    // Length 1.4 times the radius, a quarter of the volume filled.
-    double const volume = solid_volume(r) / bed_fraction / 0.25;
+    // Length 1.4 times the radius; large spheres, or equal ones, need more room for their loose filling.
+    double const filling = sizes == Sizes::spread ? 0.25 : 0.15;
+    double const volume = solid_volume(r) / bed_fraction / filling;
     double const radius = std::cbrt(volume / (1.4 * std::numbers::pi));
     State state{.kind = "drum", .width = radius, .depth = 1.4 * radius};
     state.time_step = 0.18 * dem::rayleigh_time(smallest, powder("none").materials[0]);

@@ -51,7 +51,7 @@ std::unique_ptr<dem::Simulation> make_simulation(State const& state, Setting con
 
 //! Spheres at rest in a box as wide as the bed is high.
 State settled_box(int spheres, Sizes sizes);
-//! Spheres in a drum, 25 % full, Froude number 0.01, after a quarter of a turn.
+//! Spheres in a drum, 15 to 25 % full, Froude number 0.01, after a quarter of a turn.
 State flowing_drum(int spheres, Sizes sizes);
 
 //! Exact text file. \throws InputError
