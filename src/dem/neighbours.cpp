@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -23,10 +24,15 @@ void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& wal
         std::swap(old_lists_[k].offset, lists[k].offset);
         lists[k].clear();
     }
-    if (periods_.any())
-        find_pairs<true>(particles, grid, skin, lists);
-    else
-        find_pairs<false>(particles, grid, skin, lists);
+    bool const has_large = std::any_of(particles.place.begin(), particles.place.end(),
+                                       [&](Place const& p) { return p.radius > grid.regular_radius; });
+    auto const find = periods_.any() ? (has_large ? &NeighbourSearch::find_pairs<true, true>
+                                                  : &NeighbourSearch::find_pairs<true, false>)
+                                     : (has_large ? &NeighbourSearch::find_pairs<false, true>
+                                                  : &NeighbourSearch::find_pairs<false, false>);
+    (this->*find)(particles, grid, skin, lists);
+    if (has_large)
+        find_pairs_of_large(particles, grid, skin, lists);
     find_wall_contacts(particles, walls, skin, lists);
 }
 
@@ -49,12 +55,13 @@ NeighbourSearch::Grid NeighbourSearch::make_grid(Particles const& particles, dou
                 fmt::format("the period of {} m along {} is too short: it must be at least {} m, twice the "
                             "largest diameter and the skin",
                             period.length(), name, 2 * reach));
-    double cell = std::max(reach, 1e-12);
     Vector3 extent = upper - lower;
     for (auto const& [period, from, size] :
          {std::tuple{&periods_.x, &lower.x, &extent.x}, std::tuple{&periods_.y, &lower.y, &extent.y}})
         if (period->on())
             *from = period->lower, *size = period->length();
+    double const regular = regular_radius(particles, skin, extent);
+    double cell = std::max(2 * regular + skin, 1e-12);
     // A period holds whole cells.
     auto const cells_along = [&](double length, bool periodic) {
         return std::max(1.0, std::floor(length / cell) + !periodic);
@@ -73,7 +80,46 @@ NeighbourSearch::Grid NeighbourSearch::make_grid(Particles const& particles, dou
         {periods_.x.on() ? n.x / extent.x : 1 / cell, periods_.y.on() ? n.y / extent.y : 1 / cell, 1 / cell},
         static_cast<int>(n.x),
         static_cast<int>(n.y),
-        static_cast<int>(n.z)};
+        static_cast<int>(n.z),
+        regular};
+}
+
+//! The radius up to which particles share the cells such that the fewest pairs must be tested: cells that fit
+//! few large particles hold very many small ones.
+double NeighbourSearch::regular_radius(Particles const& particles, double skin, Vector3 const& extent)
+{
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+    for (Place const& p : particles.place) {
+        smallest = std::min(smallest, p.radius);
+        largest = std::max(largest, p.radius);
+    }
+    if (largest < 2 * smallest)
+        return largest;
+    auto const cube = [](double x) { return x * x * x; };
+    double const cell = 2 * largest + skin;
+    double const volume = std::max(extent.x, cell) * std::max(extent.y, cell) * std::max(extent.z, cell);
+    double const all = static_cast<double>(particles.size());
+    double best = largest, least = 0.5 * all * all * 27 * cube(cell) / volume;
+    for (double below = 0.7 * largest; below > 0.7 * smallest; below *= 0.7) {
+        double regular = 0, regular_count = 0, around_large = 0;
+        for (Place const& p : particles.place)
+            if (p.radius <= below) {
+                regular = std::max(regular, p.radius);
+                regular_count += 1;
+            }
+        double const cells = 2 * regular + skin;
+        for (Place const& p : particles.place)
+            if (p.radius > below)
+                around_large += cube(2 * (p.radius + regular + skin) + cells);
+        double const large_count = all - regular_count;
+        double const tests = 0.5 * regular_count * regular_count * 27 * cube(cells) / volume +
+                             regular_count * around_large / volume + 0.5 * large_count * large_count;
+        if (regular_count > 0 && tests < 0.8 * least) {
+            least = tests;
+            best = regular;
+        }
+    }
+    return best;
 }
 
 void NeighbourSearch::sort_into_cells(Particles& particles, Grid const& grid)
@@ -212,7 +258,7 @@ NeighbourSearch::ForwardCells NeighbourSearch::forward_cells(Grid const& grid, i
     return forward;
 }
 
-template <bool periodic>
+template <bool periodic, bool has_large>
 void NeighbourSearch::find_pairs(Particles const& particles, Grid const& grid, double skin,
                                  std::vector<ContactList>& lists)
 {
@@ -223,6 +269,8 @@ void NeighbourSearch::find_pairs(Particles const& particles, Grid const& grid, d
         std::uint32_t const* row = interaction_.data() + particles.material[i] * materials_;
         for (std::uint32_t j = from; j < to; ++j) {
             Place const& b = particles.place[j];
+            if (has_large && b.radius > grid.regular_radius)
+                continue;
             double dx = a.x - b.x, dy = a.y - b.y;
             double const dz = a.z - b.z;
             if constexpr (periodic) {
@@ -251,11 +299,63 @@ void NeighbourSearch::find_pairs(Particles const& particles, Grid const& grid, d
                 std::uint32_t const own_row_end = cell_start_[cell + (cx + 1 < grid.nx ? 2 : 1)];
                 ForwardCells const forward = forward_cells(grid, cx, cy, cz);
                 for (; i < end; ++i) {
+                    if (has_large && particles.place[i].radius > grid.regular_radius)
+                        continue;
                     test_range(i, i + 1, own_row_end);
                     for (int r = 0; r < forward.count; ++r)
                         test_range(i, cell_start_[forward.from[r]], cell_start_[forward.to[r]]);
                 }
             }
+}
+
+void NeighbourSearch::find_pairs_of_large(Particles const& particles, Grid const& grid, double skin,
+                                          std::vector<ContactList>& lists)
+{
+    std::vector<std::uint32_t> large;
+    for (std::uint32_t i = 0; i < particles.size(); ++i)
+        if (particles.place[i].radius > grid.regular_radius)
+            large.push_back(i);
+    auto const test = [&](std::uint32_t a, std::uint32_t b) {
+        auto const [i, j] = std::minmax(a, b);
+        Place const& p = particles.place[i];
+        Place const& q = particles.place[j];
+        double const dx = nearest_image(p.x - q.x, periods_.x.length(), periods_.x.half());
+        double const dy = nearest_image(p.y - q.y, periods_.y.length(), periods_.y.half());
+        double const dz = p.z - q.z, reach = p.radius + q.radius + skin;
+        if (dx * dx + dy * dy + dz * dz < reach * reach)
+            add_pair(lists[interaction_[particles.material[i] * materials_ + particles.material[j]]], i, j);
+    };
+    // Cells from the one of `at - reach` to that of `at + reach`, each once; across the borders of a period.
+    struct Cells
+    {
+        int from, count;
+    };
+    auto const cells_around = [](double at, double reach, double per_length, int count, bool periodic) {
+        int const from = static_cast<int>(std::floor((at - reach) * per_length));
+        int const to = static_cast<int>(std::floor((at + reach) * per_length));
+        if (periodic)
+            return Cells{((from % count) + count) % count, std::min(to - from + 1, count)};
+        int const inner_from = std::clamp(from, 0, count - 1), inner_to = std::clamp(to, 0, count - 1);
+        return Cells{inner_from, inner_to - inner_from + 1};
+    };
+    for (std::size_t k = 0; k < large.size(); ++k) {
+        std::uint32_t const i = large[k];
+        for (std::size_t l = k + 1; l < large.size(); ++l)
+            test(i, large[l]);
+        Place const& p = particles.place[i];
+        double const reach = p.radius + grid.regular_radius + skin;
+        Cells const x = cells_around(p.x - grid.lower.x, reach, grid.per_length.x, grid.nx, periods_.x.on());
+        Cells const y = cells_around(p.y - grid.lower.y, reach, grid.per_length.y, grid.ny, periods_.y.on());
+        Cells const z = cells_around(p.z - grid.lower.z, reach, grid.per_length.z, grid.nz, false);
+        for (int cz = z.from; cz < z.from + z.count; ++cz)
+            for (int cy = y.from; cy < y.from + y.count; ++cy)
+                for (int cx = x.from; cx < x.from + x.count; ++cx) {
+                    int const cell = (cz * grid.ny + cy % grid.ny) * grid.nx + cx % grid.nx;
+                    for (std::uint32_t j = cell_start_[cell]; j < cell_start_[cell + 1]; ++j)
+                        if (particles.place[j].radius <= grid.regular_radius)
+                            test(i, j);
+                }
+    }
 }
 
 void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector<Wall> const& walls,

@@ -41,6 +41,8 @@ class NeighbourSearch
         Vector3 lower;
         Vector3 per_length; //!< cells per length in each direction [1/m]
         int nx, ny, nz;
+        double
+            regular_radius; //!< the cells fit particles up to it; larger ones look for their pairs themselves
     };
 
     //! Up to nine ranges of cells that hold the forward half of a cell's neighbours: each pair of cells is
@@ -58,12 +60,16 @@ class NeighbourSearch
     };
 
     Grid make_grid(Particles const& particles, double skin) const;
+    static double regular_radius(Particles const& particles, double skin, Vector3 const& extent);
     void sort_into_cells(Particles& particles, Grid const& grid);
     void index_old_contacts(std::size_t particles, std::vector<ContactList> const& lists);
     ForwardCells forward_cells(Grid const& grid, int cx, int cy, int cz) const;
-    template <bool periodic>
+    template <bool periodic, bool has_large>
     void find_pairs(Particles const& particles, Grid const& grid, double skin,
                     std::vector<ContactList>& lists);
+    //! Pairs of which one is larger than the cells fit, or both.
+    void find_pairs_of_large(Particles const& particles, Grid const& grid, double skin,
+                             std::vector<ContactList>& lists);
     void find_wall_contacts(Particles const& particles, std::vector<Wall> const& walls, double skin,
                             std::vector<ContactList>& lists);
     //! Adds a pair, with the history it had if it was touching.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -65,6 +66,42 @@ TEST(Neighbours, ListsHoldEachNearPairOnceUnderItsMaterials)
             }
         EXPECT_EQ(found, expected) << count;
     }
+}
+
+TEST(Neighbours, SizesFarApartFindTheSamePairs)
+{
+    // From a few large ones to many, with one and two periods and none.
+    double const skin = 0.1, side = 12;
+    for (int const per_large : {1000, 100, 10})
+        for (int const periods : {0, 1, 2}) {
+            SCOPED_TRACE(testing::Message() << "one in " << per_large << " large, periods " << periods);
+            std::size_t const count = 2000;
+            auto particles = random_particles(count, side, static_cast<std::uint64_t>(per_large));
+            for (std::size_t k = 0; k < count; ++k)
+                particles.place[k].radius *= k % static_cast<std::size_t>(per_large) == 7 ? 2.5 : 0.25;
+            dem::Periods const periodic{.x = {0, periods > 0 ? side : 0}, .y = {0, periods > 1 ? side : 0}};
+            auto lists = empty_lists();
+            dem::NeighbourSearch search(2, {0, 1, 2, 3}, periodic);
+            search.rebuild(particles, {}, skin, lists);
+            std::set<Pair> found;
+            for (std::size_t k = 0; k < 4; ++k)
+                for (std::size_t s = 0; s < lists[k].size(); ++s) {
+                    std::uint32_t const i = lists[k].first[s], j = lists[k].second[s];
+                    EXPECT_LT(i, j);
+                    EXPECT_EQ(k, particles.material[i] * 2 + particles.material[j]);
+                    EXPECT_TRUE(found.insert(std::minmax(particles.id[i], particles.id[j])).second);
+                }
+            std::set<Pair> expected;
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t j = 0; j < i; ++j) {
+                    auto const &a = particles.place[i], &b = particles.place[j];
+                    double const dx = dem::nearest_image(a.x - b.x, periodic.x.length(), periodic.x.half());
+                    double const dy = dem::nearest_image(a.y - b.y, periodic.y.length(), periodic.y.half());
+                    if (std::hypot(dx, dy, a.z - b.z) < a.radius + b.radius + skin)
+                        expected.insert(std::minmax(particles.id[i], particles.id[j]));
+                }
+            EXPECT_EQ(found, expected);
+        }
 }
 
 TEST(Neighbours, HistoriesFollowTheirPairsAndTurnWithThem)
