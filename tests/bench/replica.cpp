@@ -68,7 +68,10 @@ void pour(State& state, std::vector<double> const& radii, double x, double width
 void simulate(State& state, double duration)
 {
     auto const simulation = make_simulation(state, {powder("none")});
-    simulation->steps(std::llround(duration / state.time_step));
+    std::int64_t const steps = std::llround(duration / state.time_step), last = steps / 10;
+    simulation->steps(steps - last);
+    simulation->check_health(); // large spheres may have fallen on small ones
+    simulation->steps(last);
     if (simulation->check_health() != dem::Health::good)
         throw InputError("the state could not be prepared: the simulation is not healthy");
     auto const& particles = simulation->particles();
