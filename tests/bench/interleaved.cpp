@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <numeric>
 
 namespace demens::bench {
 
@@ -31,6 +32,12 @@ void time_in_turns(std::vector<Contestant>& contestants, int warm_up, int steps,
                 static_cast<double>(c.simulation->particle_contacts() + c.simulation->wall_contacts());
             c.rebuilds += static_cast<double>(c.simulation->rebuilds() - rebuilds) / (steps * rounds);
         }
+}
+
+double total_ratio(Contestant const& one, Contestant const& other)
+{
+    return std::accumulate(one.seconds.begin(), one.seconds.end(), 0.0) /
+           std::accumulate(other.seconds.begin(), other.seconds.end(), 0.0);
 }
 
 double median_ratio(Contestant const& one, Contestant const& other)

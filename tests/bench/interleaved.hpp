@@ -31,6 +31,9 @@ struct Contestant
 //! Every contestant takes `steps` steps in each round, after as many as `warm_up` before the first.
 void time_in_turns(std::vector<Contestant>& contestants, int warm_up, int steps, int rounds);
 
+//! Time of one over that of another in all rounds together: with many short rounds what disturbs the machine
+//! disturbs both alike, and rebuilds count as often as they happen.
+double total_ratio(Contestant const& one, Contestant const& other);
 //! Median over the rounds of the time of one over that of another in the same round.
 double median_ratio(Contestant const& one, Contestant const& other);
 
