@@ -124,12 +124,11 @@ std::span<Vector3 const> MeshContactFinder::find(shape::TriangleMesh const& mesh
 
 void assign_slots(ContactList& list, MeshPatch const& patch, std::span<Vector3 const> contacts)
 {
-    constexpr double like = 0.7; // cosine of the angle within which a normal may turn in a step
     std::array<Vector3, MeshPatch::most_contacts> offset;
     offset.fill(out_of_reach);
     std::array<bool, MeshPatch::most_contacts> taken{}, placed{};
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        double best = like;
+        double best = like_normals;
         std::uint32_t best_slot = patch.slots;
         for (std::uint32_t s = 0; s < patch.slots; ++s) {
             Vector3 const& old = list.offset[patch.first_slot + s];

@@ -65,12 +65,14 @@ class MeshContactFinder
 //! Offset of a slot without a contact [m].
 constexpr Vector3 out_of_reach{1e100, 0, 0};
 
-//! Whether a normal may have turned from one to the other in a step; for offsets of any length.
+//! Cosine of the angle within which the normal of a contact may turn in a step.
+constexpr double like_normals = 0.7;
+//! Whether it may have turned from one offset to the other.
 inline bool is_like(Vector3 const& one, Vector3 const& other)
 {
-    constexpr double like = 0.7; // cosine
     double const product = dot(one, other);
-    return product > 0 && product * product > like * like * norm_squared(one) * norm_squared(other);
+    return product > 0 &&
+           product * product > like_normals * like_normals * norm_squared(one) * norm_squared(other);
 }
 
 //! Gives contacts their slots in a patch: a contact takes the history of the one whose normal was nearest to
