@@ -139,15 +139,16 @@ void compare_laws(std::filesystem::path const& folder, Turns const& turns)
         arithmetic.push_back(bench::arithmetic_nanoseconds(model));
     }
     bench::time_in_turns(contestants, turns.warm_up, turns.steps, turns.rounds);
-    fmt::print(
-        "| law | million particle-steps/s | contacts | ns per contact | arithmetic alone | explained | speed "
-        "over explained |\n|---|---|---|---|---|---|---|\n");
+    fmt::print("| law | million particle-steps/s | contacts | steps per rebuild | ns per contact | "
+               "arithmetic alone | explained | speed over explained |\n|---|---|---|---|---|---|---|---|\n");
     for (std::size_t k = 0; k < contestants.size(); ++k) {
         auto const& c = contestants[k];
         double const explained = contestants[0].nanoseconds_per_contact() + arithmetic[k] - arithmetic[0];
-        fmt::print("| {} | {:.2f} | {:.0f} | {:.1f} | {:.1f} | {:.1f} | {:.2f} |{}\n", c.name,
-                   c.million_particle_steps(), c.contacts, c.nanoseconds_per_contact(), arithmetic[k],
-                   explained, explained / c.nanoseconds_per_contact(),
+        fmt::print("| {} | {:.2f} | {:.0f} | {} | {:.1f} | {:.1f} | {:.1f} | {:.2f} |{}\n", c.name,
+                   c.million_particle_steps(), c.contacts,
+                   c.rebuilds > 0 ? fmt::format("{:.0f}", 1 / c.rebuilds) : "none",
+                   c.nanoseconds_per_contact(), arithmetic[k], explained,
+                   explained / c.nanoseconds_per_contact(),
                    c.simulation->check_health() == dem::Health::good ? "" : " not healthy");
     }
 }
