@@ -21,13 +21,40 @@ void append_near_triangles(std::vector<NearTriangle>& near, shape::TriangleMesh 
 {
     auto const first = static_cast<std::ptrdiff_t>(near.size());
     mesh.tree().for_each_near(position, radius + reach, [&](std::uint32_t triangle) {
-        double const clearance = norm(mesh.facets()[triangle].nearest(position).offset) - radius;
+        shape::Facet const& facet = mesh.facets()[triangle];
+        if (std::abs(dot(position - facet.corner, facet.normal)) >= radius + reach)
+            return;
+        double const squared = norm_squared(facet.nearest(position).offset);
+        if (squared >= (radius + reach) * (radius + reach))
+            return;
+        double const clearance = std::sqrt(squared) - radius;
         if (clearance < reach)
             near.push_back({triangle, due_after(0, std::max(clearance, 0.0))});
     });
     std::sort(near.begin() + first, near.end(), [](NearTriangle const& a, NearTriangle const& b) {
         return a.due != b.due ? a.due < b.due : a.triangle < b.triangle;
     });
+}
+
+MeshContactFinder::InReach MeshContactFinder::look(shape::TriangleMesh const& mesh,
+                                                   std::span<NearTriangle> near, double travelled,
+                                                   Sphere const& sphere)
+{
+    InReach found{};
+    double const now = travelled + 0.5 * (sphere.reach - sphere.radius);
+    for (NearTriangle& entry : near) {
+        if (entry.due > now)
+            continue;
+        Vector3 const offset = mesh.facets()[entry.triangle].nearest(sphere.position).offset;
+        double const squared = norm_squared(offset);
+        entry.due = due_after(travelled, std::max(std::sqrt(squared) - sphere.radius, 0.0));
+        if (squared >= sphere.reach * sphere.reach)
+            continue;
+        // Where the centre is on a triangle its normal decides, as with several triangles.
+        found.count += squared > 0 ? 1 : 2;
+        found.offset = offset;
+    }
+    return found;
 }
 
 void MeshContactFinder::collect(shape::TriangleMesh const& mesh, std::span<NearTriangle> near,
@@ -97,13 +124,11 @@ std::span<Vector3 const> MeshContactFinder::find(shape::TriangleMesh const& mesh
 
 void assign_slots(ContactList& list, MeshPatch const& patch, std::span<Vector3 const> contacts)
 {
-    constexpr Vector3 nowhere{1e100, 0, 0};
-    constexpr double like = 0.7; // cosine of the angle within which a normal may turn in a step
     std::array<Vector3, MeshPatch::most_contacts> offset;
-    offset.fill(nowhere);
+    offset.fill(out_of_reach);
     std::array<bool, MeshPatch::most_contacts> taken{}, placed{};
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        double best = like;
+        double best = like_normals;
         std::uint32_t best_slot = patch.slots;
         for (std::uint32_t s = 0; s < patch.slots; ++s) {
             Vector3 const& old = list.offset[patch.first_slot + s];

@@ -1,20 +1,15 @@
 #include "demens/dem/neighbours.hpp"
 
-#include "demens/base/error.hpp"
 #include "demens/dem/wall_contacts.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
-
-#include <fmt/format.h>
 
 namespace demens::dem {
 
 void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& walls,
                               NeighbourReach const& reach, std::vector<ContactList>& lists)
 {
-    Grid const grid = make_grid(particles, reach.candidates);
+    CellGrid const grid(particles.place, reach.candidates, periods_);
     sort_into_cells(particles, grid);
     index_old_contacts(particles.size(), lists);
     old_lists_.resize(lists.size());
@@ -23,82 +18,34 @@ void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& wal
         std::swap(old_lists_[k].offset, lists[k].offset);
         lists[k].clear();
     }
-    if (periods_.any())
-        find_pairs<true>(particles, grid, reach, lists);
-    else
-        find_pairs<false>(particles, grid, reach, lists);
+    large_.clear();
+    for (std::uint32_t i = 0; i < particles.owned(); ++i)
+        if (particles.place[i].radius > grid.regular_radius())
+            large_.push_back(i);
+    bool const has_large = !large_.empty();
+    auto const find = periods_.any() ? (has_large ? &NeighbourSearch::find_pairs<true, true>
+                                                  : &NeighbourSearch::find_pairs<true, false>)
+                                     : (has_large ? &NeighbourSearch::find_pairs<false, true>
+                                                  : &NeighbourSearch::find_pairs<false, false>);
+    (this->*find)(particles, grid, {lists.data(), reach});
+    if (has_large)
+        find_pairs_of_large(particles, grid, {lists.data(), reach});
     find_wall_contacts(particles, walls, reach.candidates, lists);
+    auto const of_ghosts =
+        std::find_if(lists.begin(), lists.end(), [](auto const& list) { return list.with_ghost; });
     if (particles.ghosts > 0)
-        find_ghost_pairs(particles, grid, reach, lists);
+        find_ghost_pairs(particles, grid, {&*of_ghosts, reach});
 }
 
-void NeighbourSearch::check_periods(double largest_radius, double skin) const
-{
-    double const reach = 2 * largest_radius + skin;
-    for (auto const& [name, period] : {std::pair{"x", periods_.x}, std::pair{"y", periods_.y}})
-        if (period.on() && period.length() < 2 * reach)
-            throw InputError(
-                fmt::format("the period of {} m along {} is too short: it must be at least {} m, twice the "
-                            "largest diameter and the skin",
-                            period.length(), name, 2 * reach));
-}
-
-NeighbourSearch::Grid NeighbourSearch::make_grid(Particles const& particles, double skin) const
-{
-    std::array<double, 3> low{}, high{};
-    double largest = 0;
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        Place const& p = particles.place[i];
-        std::array<double, 3> const at{p.x, p.y, p.z};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            low[axis] = i == 0 ? at[axis] : std::min(low[axis], at[axis]);
-            high[axis] = i == 0 ? at[axis] : std::max(high[axis], at[axis]);
-        }
-        largest = std::max(largest, p.radius);
-    }
-    std::array<int, 3> axes{0, 1, 2};
-    if (!periods_.any())
-        std::stable_sort(axes.begin(), axes.end(),
-                         [&](int a, int b) { return high[a] - low[a] < high[b] - low[b]; });
-    Vector3 lower{low[axes[0]], low[axes[1]], low[axes[2]]};
-    Vector3 const upper{high[axes[0]], high[axes[1]], high[axes[2]]};
-    check_periods(largest, skin);
-    double cell = std::max(2 * largest + skin, 1e-12);
-    Vector3 extent = upper - lower;
-    for (auto const& [period, from, size] :
-         {std::tuple{&periods_.x, &lower.x, &extent.x}, std::tuple{&periods_.y, &lower.y, &extent.y}})
-        if (period->on())
-            *from = period->lower, *size = period->length();
-    // A period holds whole cells.
-    auto const cells_along = [&](double length, bool periodic) {
-        return std::max(1.0, std::floor(length / cell) + !periodic);
-    };
-    auto const cells = [&] {
-        return Vector3{cells_along(extent.x, periods_.x.on()), cells_along(extent.y, periods_.y.on()),
-                       cells_along(extent.z, false)};
-    };
-    // Far-flung particles must not make a huge empty grid: larger cells find the same pairs.
-    double const most = 8.0 * static_cast<double>(particles.size()) + 4096;
-    Vector3 n = cells();
-    for (; n.x * n.y * n.z > most; n = cells())
-        cell *= 1.5;
-    return {
-        axes,
-        lower,
-        {periods_.x.on() ? n.x / extent.x : 1 / cell, periods_.y.on() ? n.y / extent.y : 1 / cell, 1 / cell},
-        static_cast<int>(n.x),
-        static_cast<int>(n.y),
-        static_cast<int>(n.z)};
-}
-
-void NeighbourSearch::sort_into_cells(Particles& particles, Grid const& grid)
+void NeighbourSearch::sort_into_cells(Particles& particles, CellGrid const& grid)
 {
     std::size_t const n = particles.size();
     cell_of_.resize(n);
     new_index_.resize(n);
     number_along_cells(particles, grid, 0, particles.owned(), cell_start_);
+    std::vector<std::uint32_t> ghost_cell_start;
     if (particles.ghosts > 0)
-        number_along_cells(particles, grid, particles.owned(), n, ghost_cell_start_);
+        number_along_cells(particles, grid, particles.owned(), n, ghost_cell_start);
 
     sorted_.resize(n);
     sorted_.ghosts = particles.ghosts;
@@ -113,21 +60,14 @@ void NeighbourSearch::sort_into_cells(Particles& particles, Grid const& grid)
     std::swap(particles, sorted_);
 }
 
-void NeighbourSearch::number_along_cells(Particles const& particles, Grid const& grid, std::size_t from,
+void NeighbourSearch::number_along_cells(Particles const& particles, CellGrid const& grid, std::size_t from,
                                          std::size_t to, std::vector<std::uint32_t>& cell_start)
 {
-    std::size_t const cells = static_cast<std::size_t>(grid.nx) * grid.ny * grid.nz;
+    std::size_t const cells = grid.size();
     cell_start.assign(cells + 1, 0);
     cell_start[0] = static_cast<std::uint32_t>(from);
-    auto const along = [](double offset, double per_length, int count) {
-        return std::min(static_cast<int>(offset * per_length), count - 1);
-    };
     for (std::size_t i = from; i < to; ++i) {
-        Vector3 const p = grid(particles.place[i]);
-        int const cx = along(p.x - grid.lower.x, grid.per_length.x, grid.nx);
-        int const cy = along(p.y - grid.lower.y, grid.per_length.y, grid.ny);
-        int const cz = along(p.z - grid.lower.z, grid.per_length.z, grid.nz);
-        cell_of_[i] = static_cast<std::uint32_t>((cz * grid.ny + cy) * grid.nx + cx);
+        cell_of_[i] = grid.cell_of(particles.place[i]);
         ++cell_start[cell_of_[i] + 1];
     }
     for (std::size_t c = 0; c < cells; ++c)
@@ -206,142 +146,91 @@ void NeighbourSearch::restore_histories(ContactList& list, std::size_t slot)
     }
 }
 
-//! The own cell comes first, without a range: the rest of it and the cell after it belong to the own row.
-//! Cells along x follow one another, so a row of three cells is one range; across a periodic border it is
-//! two.
-NeighbourSearch::ForwardCells NeighbourSearch::forward_cells(Grid const& grid, int cx, int cy, int cz) const
+template <bool periodic>
+DEMENS_INLINE void NeighbourSearch::test_pair(Particles const& particles, std::uint32_t first,
+                                              std::uint32_t second, PairLists lists)
 {
-    ForwardCells forward;
-    bool const wraps_x = periods_.x.on() && grid.nx > 2;
-    auto const row_start = [&](int y, int z) { return (z * grid.ny + y) * grid.nx; };
-    if (wraps_x && cx == grid.nx - 1)
-        forward.add(row_start(cy, cz), row_start(cy, cz));
-    constexpr int rows[4][2] = {{1, 0}, {-1, 1}, {0, 1}, {1, 1}}; // (dy, dz)
-    for (auto const& [dy, dz] : rows) {
-        int y = cy + dy;
-        int const z = cz + dz;
-        if (periods_.y.on()) {
-            // With one or two rows in the period, up and down lead to the same row.
-            if ((grid.ny == 1 && dy != 0) || (grid.ny == 2 && (dy < 0 || (dz == 0 && cy == 1))))
-                continue;
-            y = (y + grid.ny) % grid.ny;
-        }
-        if (y < 0 || y >= grid.ny || z >= grid.nz)
-            continue;
-        int const row = row_start(y, z);
-        forward.add(row + std::max(cx - 1, 0), row + std::min(cx + 1, grid.nx - 1));
-        if (wraps_x && cx == 0)
-            forward.add(row + grid.nx - 1, row + grid.nx - 1);
-        if (wraps_x && cx == grid.nx - 1)
-            forward.add(row, row);
-    }
-    return forward;
+    Place const& a = particles.place[first];
+    Place const& b = particles.place[second];
+    double const squared = distance_squared<periodic>(a, b, periods_), touching = a.radius + b.radius;
+    double const furthest = touching + lists.reach.candidates;
+    if (squared >= furthest * furthest)
+        return;
+    ContactList& list = lists.of_interaction[interaction_[particles.material[first] * materials_ +
+                                                          particles.material[second]]];
+    list.candidates.push_back({first, second});
+    double const near = touching + lists.reach.contacts;
+    if (squared < near * near)
+        add_contact(list, first, second);
 }
 
-template <bool periodic>
-void NeighbourSearch::find_pairs(Particles const& particles, Grid const& grid, NeighbourReach const& reach,
-                                 std::vector<ContactList>& lists)
+template <bool periodic, bool has_large>
+void NeighbourSearch::find_pairs(Particles const& particles, CellGrid const& grid, PairLists lists)
 {
     auto const test_range = [&](std::uint32_t i, std::uint32_t from, std::uint32_t to) {
-        Place const a = particles.place[i];
-        std::uint32_t const* row = interaction_.data() + particles.material[i] * materials_;
         for (std::uint32_t j = from; j < to; ++j) {
-            Place const& b = particles.place[j];
-            double const squared = distance_squared<periodic>(a, b, periods_), touching = a.radius + b.radius;
-            double const furthest = touching + reach.candidates;
-            if (squared >= furthest * furthest)
+            if (has_large && particles.place[j].radius > grid.regular_radius())
                 continue;
             // Across a border a neighbour may come earlier in the order, as histories are filed.
-            bool const reversed = periodic && j < i;
-            std::uint32_t const first = reversed ? j : i, second = reversed ? i : j;
-            ContactList& list =
-                lists[reversed ? interaction_[particles.material[j] * materials_ + particles.material[i]]
-                               : row[particles.material[j]]];
-            list.candidates.push_back({first, second});
-            double const near = touching + reach.contacts;
-            if (squared < near * near)
-                add_contact(list, first, second);
+            if (periodic && j < i)
+                test_pair<periodic>(particles, j, i, lists);
+            else
+                test_pair<periodic>(particles, i, j, lists);
         }
     };
     std::uint32_t i = 0;
-    for (int cz = 0; cz < grid.nz; ++cz)
-        for (int cy = 0; cy < grid.ny; ++cy)
-            for (int cx = 0; cx < grid.nx; ++cx) {
-                int const cell = (cz * grid.ny + cy) * grid.nx + cx;
-                std::uint32_t const end = cell_start_[cell + 1];
-                if (i == end)
-                    continue;
-                std::uint32_t const own_row_end = cell_start_[cell + (cx + 1 < grid.nx ? 2 : 1)];
-                ForwardCells const forward = forward_cells(grid, cx, cy, cz);
-                for (; i < end; ++i) {
-                    test_range(i, i + 1, own_row_end);
-                    for (int r = 0; r < forward.count; ++r)
-                        test_range(i, cell_start_[forward.from[r]], cell_start_[forward.to[r]]);
-                }
-            }
+    for (std::uint32_t cell = 0; cell < grid.size(); ++cell) {
+        std::uint32_t const end = cell_start_[cell + 1];
+        if (i == end)
+            continue;
+        std::uint32_t const own_row_end = cell_start_[grid.end_of_own_row(cell)];
+        CellGrid::Ranges const forward = grid.forward_of(cell);
+        for (; i < end; ++i) {
+            if (has_large && particles.place[i].radius > grid.regular_radius())
+                continue;
+            test_range(i, i + 1, own_row_end);
+            for (int r = 0; r < forward.count; ++r)
+                test_range(i, cell_start_[forward.from[r]], cell_start_[forward.to[r]]);
+        }
+    }
 }
 
-NeighbourSearch::CellsAround NeighbourSearch::cells_around(Grid const& grid, std::uint32_t cell) const
+void NeighbourSearch::find_pairs_of_large(Particles const& particles, CellGrid const& grid, PairLists lists)
 {
-    CellsAround around;
-    int const cx = static_cast<int>(cell) % grid.nx, row = static_cast<int>(cell) / grid.nx;
-    int const cy = row % grid.ny, cz = row / grid.ny;
-    bool const wraps_x = periods_.x.on() && grid.nx > 2;
-    for (int z = std::max(cz - 1, 0); z <= std::min(cz + 1, grid.nz - 1); ++z)
-        for (int dy = -1; dy <= 1; ++dy) {
-            int y = cy + dy;
-            if (periods_.y.on()) {
-                // With one or two rows in the period, up and down lead to the same row.
-                if ((grid.ny == 1 && dy != 0) || (grid.ny == 2 && dy < 0))
-                    continue;
-                y = (y + grid.ny) % grid.ny;
-            }
-            if (y < 0 || y >= grid.ny)
-                continue;
-            int const start = (z * grid.ny + y) * grid.nx;
-            around.add(start + std::max(cx - 1, 0), start + std::min(cx + 1, grid.nx - 1));
-            if (wraps_x && cx == 0)
-                around.add(start + grid.nx - 1, start + grid.nx - 1);
-            if (wraps_x && cx == grid.nx - 1)
-                around.add(start, start);
-        }
-    return around;
+    auto const test = [&](std::uint32_t i, std::uint32_t j) {
+        test_pair<true>(particles, std::min(i, j), std::max(i, j), lists);
+    };
+    for (auto large = large_.begin(); large != large_.end(); ++large) {
+        for (auto other = large + 1; other != large_.end(); ++other)
+            test(*large, *other);
+        Place const& place = particles.place[*large];
+        grid.for_each_near(place, place.radius + grid.regular_radius() + lists.reach.candidates,
+                           [&](std::uint32_t cell) {
+                               for (std::uint32_t j = cell_start_[cell]; j < cell_start_[cell + 1]; ++j)
+                                   if (particles.place[j].radius <= grid.regular_radius())
+                                       test(*large, j);
+                           });
+    }
 }
 
 //! All pairs of a ghost and a particle of this process. The one with the lower id comes first: the other
 //! process has the same pair, and computes the same force from the same numbers.
-void NeighbourSearch::find_ghost_pairs(Particles const& particles, Grid const& grid,
-                                       NeighbourReach const& reach, std::vector<ContactList>& lists)
+void NeighbourSearch::find_ghost_pairs(Particles const& particles, CellGrid const& grid, PairLists lists)
 {
-    auto const first_list = static_cast<std::size_t>(
-        std::find_if(lists.begin(), lists.end(), [](auto const& list) { return list.with_ghost; }) -
-        lists.begin());
-    auto const owned = static_cast<std::uint32_t>(particles.owned());
-    for (std::uint32_t c = 0; c + 1 < ghost_cell_start_.size(); ++c) {
-        std::uint32_t const begin = ghost_cell_start_[c], end = ghost_cell_start_[c + 1];
-        if (begin == end)
-            continue;
-        CellsAround const around = cells_around(grid, c);
-        for (std::uint32_t ghost = std::max(begin, owned); ghost < end; ++ghost) {
-            Place const a = particles.place[ghost];
-            for (int r = 0; r < around.count; ++r)
-                for (std::uint32_t j = cell_start_[around.from[r]]; j < cell_start_[around.to[r]]; ++j) {
-                    Place const& b = particles.place[j];
-                    double const squared = distance_squared<true>(a, b, periods_);
-                    double const touching = a.radius + b.radius, furthest = touching + reach.candidates;
-                    if (squared >= furthest * furthest)
-                        continue;
-                    bool const ghost_first = particles.id[ghost] < particles.id[j];
-                    std::uint32_t const first = ghost_first ? ghost : j, second = ghost_first ? j : ghost;
-                    ContactList& list =
-                        lists[first_list + interaction_[particles.material[first] * materials_ +
-                                                        particles.material[second]]];
-                    list.candidates.push_back({first, second});
-                    double const near = touching + reach.contacts;
-                    if (squared < near * near)
-                        add_contact(list, first, second);
-                }
-        }
+    auto const test = [&](std::uint32_t ghost, std::uint32_t j) {
+        bool const ghost_first = particles.id[ghost] < particles.id[j];
+        test_pair<true>(particles, ghost_first ? ghost : j, ghost_first ? j : ghost, lists);
+    };
+    for (auto ghost = static_cast<std::uint32_t>(particles.owned()); ghost < particles.size(); ++ghost) {
+        for (std::uint32_t const large : large_)
+            test(ghost, large);
+        Place const& place = particles.place[ghost];
+        grid.for_each_near(place, place.radius + grid.regular_radius() + lists.reach.candidates,
+                           [&](std::uint32_t cell) {
+                               for (std::uint32_t j = cell_start_[cell]; j < cell_start_[cell + 1]; ++j)
+                                   if (particles.place[j].radius <= grid.regular_radius())
+                                       test(ghost, j);
+                           });
     }
 }
 

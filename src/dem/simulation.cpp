@@ -235,7 +235,7 @@ void Simulation::search_neighbours()
         furthest = std::max(furthest, range.gap);
     reach_ = {options_.skin + furthest, near_share * options_.skin + furthest};
     if (parts_) {
-        search_->check_periods(radius, reach_.candidates); // fails on all ranks or on none
+        check_periods(options_.periodic, radius, reach_.candidates); // fails on all ranks or on none
         parts_->distribute(particles_, lists_, radius + reach_.candidates);
     }
     search_->rebuild(particles_, walls_, reach_, lists_);

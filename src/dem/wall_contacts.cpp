@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace demens::dem {
@@ -54,33 +55,131 @@ void test_slots(Shape const& shape, SlotSorter& sort, Slots slots)
     }
 }
 
-//! Tests the patches whose slots are among those of a mesh and that are due, from `patch` on; moves on past
-//! them. Slots of the others do not touch.
-void test_patches(Mesh const& wall, SlotSorter& sort, Slots slots, double travelled, std::size_t& patch)
+//! Tests the patches of a mesh.
+//!
+//! A triangle comes into reach only when the particle has gone on along the mesh by its clearance, which
+//! takes long for one that is carried along: most of the time few triangles of a patch need to be looked at,
+//! and almost always it is one, with one contact.
+class PatchTester
 {
-    MeshContactFinder finder;
-    ContactList& list = sort.list;
-    double const gap = std::max(sort.range.reach(false), sort.range.reach(true));
-    for (; patch < list.patches.size() && list.patches[patch].first_slot < slots.to; ++patch) {
-        MeshPatch& p = list.patches[patch];
-        if (p.due > travelled + 0.5 * gap)
-            continue;
-        Place const& place = sort.places[list.first[p.first_slot]];
-        std::span const near(list.near_triangles.data() + p.first_triangle, p.triangles);
-        auto const contacts = finder.find(
-            *wall.mesh, near, travelled,
-            {wall.placement.inverse({place.x, place.y, place.z}), place.radius, place.radius + gap});
+  public:
+    PatchTester(Mesh const& wall, SlotSorter& sort, double travelled)
+        : wall_(wall), sort_(sort), list_(sort.list), travelled_(travelled),
+          gap_(std::max(sort.range.reach(false), sort.range.reach(true)))
+    {
+    }
+
+    //! Slots of a patch that is not due do not touch.
+    bool is_due(MeshPatch const& p) const { return !(p.due > travelled_ + 0.5 * gap_); }
+
+    //! Asks for what the test of a patch will read: its particle and its first triangles.
+    void prefetch(MeshPatch const& p) const
+    {
+        __builtin_prefetch(sort_.places + list_.first[p.first_slot]);
+        for (std::uint32_t t = 0; t < std::max(p.soon, 1u); ++t) {
+            char const* facet = reinterpret_cast<char const*>(
+                wall_.mesh->facets().data() + list_.near_triangles[p.first_triangle + t].triangle);
+            for (std::size_t line = 0; line < sizeof(shape::Facet); line += 64)
+                __builtin_prefetch(facet + line);
+        }
+    }
+
+    void test(MeshPatch& p)
+    {
+        Place const& place = sort_.places[list_.first[p.first_slot]];
+        Vector3 const position = wall_.placement.inverse({place.x, place.y, place.z});
+        bool const first_look = p.path < 0;
+        p.path = first_look ? 2 * travelled_ : p.path + norm(position - p.seen_at);
+        p.seen_at = position;
+        MeshContactFinder::Sphere const sphere{position, place.radius, place.radius + gap_};
+        bool const all = !(p.later_due > 0.5 * (p.path + gap_));
+        std::span const triangles = all ? near(p) : near(p).first(p.soon);
+        auto const [count, offset] = finder_.look(*wall_.mesh, triangles, 0.5 * p.path, sphere);
+        if (first_look || count > 1 || !go_on(p, offset, count == 1))
+            find_contacts(p, triangles, sphere);
+        if (all)
+            put_soon_first(p, 0.5 * (p.path + gap_) + 0.01 * sphere.radius);
+        p.due = MeshPatch::always;
+        if (count == 0) {
+            double const left = std::min(p.later_due, first_due(near(p).first(p.soon))) - 0.5 * p.path;
+            p.due = static_cast<float>(travelled_ + (1 - 1e-6) * left);
+        }
+    }
+
+  private:
+    std::span<NearTriangle> near(MeshPatch const& p) const
+    {
+        return {list_.near_triangles.data() + p.first_triangle, p.triangles};
+    }
+
+    static float first_due(std::span<NearTriangle const> triangles)
+    {
+        float first = std::numeric_limits<float>::infinity();
+        for (NearTriangle const& triangle : triangles)
+            first = std::min(first, triangle.due);
+        return first;
+    }
+
+    void put_soon_first(MeshPatch& p, double soon)
+    {
+        std::span const triangles = near(p);
+        auto const later = std::partition(triangles.begin(), triangles.end(),
+                                          [&](NearTriangle const& t) { return t.due <= soon; });
+        p.soon = static_cast<std::uint32_t>(later - triangles.begin());
+        p.later_due = first_due({later, triangles.end()});
+    }
+
+    //! Finds the contacts among triangles of which several may be in reach.
+    void find_contacts(MeshPatch const& p, std::span<NearTriangle> triangles,
+                       MeshContactFinder::Sphere const& sphere)
+    {
+        auto const contacts = finder_.find(*wall_.mesh, triangles, 0.5 * p.path, sphere);
         std::array<Vector3, MeshPatch::most_contacts> offsets;
         std::transform(contacts.begin(), contacts.end(), offsets.begin(),
-                       [&](Vector3 const& offset) { return wall.placement.rotation(offset); });
-        assign_slots(list, p, {offsets.data(), contacts.size()});
+                       [&](Vector3 const& offset) { return wall_.placement.rotation(offset); });
+        assign_slots(list_, p, {offsets.data(), contacts.size()});
         for (std::uint32_t s = 0; s < p.slots; ++s)
-            sort(p.first_slot + s);
-        p.due = MeshPatch::always;
-        if (contacts.empty())
-            p.due = std::min_element(near.begin(), near.end(), [](auto const& x, auto const& y) {
-                        return x.due < y.due;
-                    })->due;
+            sort_(p.first_slot + s);
+    }
+
+    //! Lets the only contact go on in its slot, or end; false where that is not all that happens.
+    bool go_on(MeshPatch const& p, Vector3 const& offset_in_mesh, bool touches)
+    {
+        std::uint32_t const end = p.first_slot + p.slots;
+        std::uint32_t slot = end, touching = 0;
+        for (std::uint32_t s = p.first_slot; s < end; ++s)
+            if (list_.touching[s]) {
+                slot = s;
+                ++touching;
+            }
+        if (touching == 0)
+            return !touches;
+        Vector3 const offset = touches ? wall_.placement.rotation(offset_in_mesh) : out_of_reach;
+        if (touching > 1 || (touches && !is_like(offset, list_.offset[slot])))
+            return false;
+        list_.offset[slot] = offset;
+        sort_(slot);
+        return true;
+    }
+
+    Mesh const& wall_;
+    SlotSorter& sort_;
+    ContactList& list_;
+    double travelled_, gap_;
+    MeshContactFinder finder_;
+};
+
+//! Tests the patches whose slots are among those of a mesh and that are due, from `patch` on; moves on past
+//! them.
+void test_patches(Mesh const& wall, SlotSorter& sort, Slots slots, double travelled, std::size_t& patch)
+{
+    PatchTester tester(wall, sort, travelled);
+    auto& patches = sort.list.patches;
+    for (; patch < patches.size() && patches[patch].first_slot < slots.to; ++patch) {
+        if (patch + 4 < patches.size())
+            tester.prefetch(patches[patch + 4]);
+        if (tester.is_due(patches[patch]))
+            tester.test(patches[patch]);
     }
 }
 

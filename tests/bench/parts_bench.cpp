@@ -1,4 +1,5 @@
 // What the parts of a time step cost: neighbour lists, gathering, each law, integration.
+#include "tests/bench/law_block.hpp"
 #include "tests/bench/replica.hpp"
 
 #include "demens/dem/block_transfer.hpp"
@@ -50,29 +51,12 @@ void neighbour_build(benchmark::State& state)
 }
 BENCHMARK(neighbour_build)->Arg(1000)->Arg(20000)->Unit(benchmark::kMillisecond);
 
-//! One block of contacts with plausible numbers in all lanes.
-void fill(dem::ContactBlock& b)
-{
-    b.count = dem::ContactBlock::lanes;
-    for (int l = 0; l < b.count; ++l) {
-        b.slot[l] = static_cast<std::uint32_t>(l);
-        b.dx[l] = 1.99e-3, b.dy[l] = 1e-5 * l, b.dz[l] = -1e-5 * l;
-        b.radius_i[l] = b.radius_j[l] = 1e-3;
-        b.mass_i[l] = b.mass_j[l] = 1e-5;
-        b.vx[l] = -1e-2, b.vy[l] = 1e-3 * l, b.vz[l] = 1e-3;
-        b.wix[l] = 1, b.wiy[l] = 2, b.wiz[l] = 3;
-        b.wjx[l] = -1, b.wjy[l] = 0.1 * l, b.wjz[l] = 0.5;
-        for (auto& lane : b.state)
-            lane[l] = 0;
-    }
-}
-
 void law(benchmark::State& state, contact::Model const& model)
 {
     auto const block = std::make_unique<dem::ContactBlock>();
     contact::LawSet const laws(model.materials[0], model.materials[0], model.pairs[0]);
     auto const layout = dem::state_layout(laws, false);
-    fill(*block);
+    bench::fill(*block);
     for (auto _ : state) {
         dem::derive_geometry(*block, false, 0.5);
         dem::evaluate_laws(*block, laws, layout, 1e-6);
@@ -86,22 +70,12 @@ void law(benchmark::State& state, contact::Model const& model)
 //! Every choice of every kind of law, the other kinds as in the plain Hertz-Mindlin contact.
 void register_laws()
 {
-    for (auto const& spec : contact::pair_options())
-        for (auto const& choice : spec.choices) {
-            auto values = defaults_of(contact::pair_options());
-            values.set("restitution", 0.4);
-            values.set("static_friction", 0.5);
-            values.set("rolling_friction", 0.1);
-            for (char const* key :
-                 {"rolling_viscosity", "surface_energy", "cohesion_energy_density", "surface_tension"})
-                values.set(key, 0.01);
-            values.set("bridge_volume", 1e-12);
-            values.set(spec.key, choice);
-            contact::Model const model{bench::powder("none").materials,
-                                       {contact::make_pair("powder", "powder", values)}};
-            benchmark::RegisterBenchmark(("law/" + spec.key + "/" + choice).c_str(),
-                                         [model](benchmark::State& state) { law(state, model); });
-        }
+    for (auto const& choice : bench::single_laws()) {
+        auto const& [kind, name] = choice[0];
+        benchmark::RegisterBenchmark(
+            ("law/" + kind + "/" + name).c_str(),
+            [model = bench::powder_with(choice)](benchmark::State& state) { law(state, model); });
+    }
 }
 
 //! A whole step of particles that touch nothing: integration and what every step costs.

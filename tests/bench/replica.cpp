@@ -3,6 +3,7 @@
 #include "demens/base/error.hpp"
 #include "demens/base/random.hpp"
 #include "demens/shape/packing.hpp"
+#include "support/meshes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +19,29 @@ namespace {
 constexpr double density = 2500, smallest = 0.5e-3, largest = 1e-3; // [kg/m^3], radii [m]
 constexpr double bed_fraction = 0.6;                                // solid fraction of a bed, about
 
-std::vector<double> radii(int spheres)
+std::vector<double> radii(int spheres, Sizes sizes)
 {
     RandomStream random(1);
     std::vector<double> result;
     for (int k = 0; k < spheres; ++k)
-        result.push_back(random.uniform(smallest, largest));
+        switch (sizes) {
+        case Sizes::spread:
+            result.push_back(random.uniform(smallest, largest));
+            break;
+        case Sizes::equal:
+            result.push_back(smallest);
+            break;
+        case Sizes::one_to_ten:
+            result.push_back(k % 1001 == 0 ? 10 * smallest : smallest);
+            break;
+        }
     return result;
+}
+
+//! Skin of the neighbour list [m]; that of two sizes is as that of equal spheres of the smaller size.
+double skin(Sizes sizes)
+{
+    return 0.4 * (sizes == Sizes::spread ? largest : smallest);
 }
 
 double solid_volume(std::vector<double> const& radii)
@@ -51,8 +68,11 @@ void pour(State& state, std::vector<double> const& radii, double x, double width
 
 void simulate(State& state, double duration)
 {
-    auto const simulation = make_simulation(state, "none");
-    simulation->steps(std::llround(duration / state.time_step));
+    auto const simulation = make_simulation(state, {powder("none")});
+    std::int64_t const steps = std::llround(duration / state.time_step), last = steps / 10;
+    simulation->steps(steps - last);
+    simulation->check_health(); // large spheres may have fallen on small ones
+    simulation->steps(last);
     if (simulation->check_health() != dem::Health::good)
         throw InputError("the state could not be prepared: the simulation is not healthy");
     auto const& particles = simulation->particles();
@@ -68,6 +88,19 @@ dem::Wall plane(Vector3 const& point, Vector3 const& u, Vector3 const& v)
     return {.shape = dem::Rectangle{.centre = point, .axis_u = u, .axis_v = v, .half_u = 10, .half_v = 10}};
 }
 
+//! The drum's surface: a cylinder, or a mesh of almost square pairs of triangles.
+dem::WallShape mantle(State const& state, int triangles)
+{
+    dem::Cylinder const cylinder{
+        .centre = {}, .axis = {0, 1, 0}, .half_length = 0.5 * state.depth, .radius = state.width};
+    if (triangles == 0)
+        return cylinder;
+    double const slenderness = 2 * std::numbers::pi * state.width / state.depth;
+    int const along = static_cast<int>(std::lround(std::sqrt(0.5 * triangles / slenderness)));
+    int const around = static_cast<int>(std::lround(0.5 * triangles / along));
+    return testing::mesh_of(testing::drum_triangles(state.width, cylinder.half_length, around, along));
+}
+
 } // namespace
 
 contact::Model powder(std::string const& rolling)
@@ -81,12 +114,12 @@ contact::Model powder(std::string const& rolling)
     return {{{"powder", density, 5e6, 0.3}}, {pair}};
 }
 
-std::unique_ptr<dem::Simulation> make_simulation(State const& state, std::string const& rolling,
-                                                 dem::Team* team)
+std::unique_ptr<dem::Simulation> make_simulation(State const& state, Setting const& setting)
 {
     auto simulation = std::make_unique<dem::Simulation>(
-        powder(rolling),
-        dem::SimulationOptions{.time_step = state.time_step, .skin = state.skin, .team = team});
+        setting.model, dem::SimulationOptions{.time_step = state.time_step,
+                                              .skin = setting.skin > 0 ? setting.skin : state.skin,
+                                              .team = setting.team});
     for (Sphere const& s : state.spheres)
         simulation->add_particle(s.position, s.radius, 0, s.velocity, s.spin);
     constexpr Vector3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
@@ -97,24 +130,20 @@ std::unique_ptr<dem::Simulation> make_simulation(State const& state, std::string
         for (double const at : {0.0, state.depth})
             simulation->add_wall(plane({0, at, 0}, z, x));
     } else {
-        simulation->add_wall({.shape = dem::Cylinder{.centre = {},
-                                                     .axis = y,
-                                                     .half_length = 0.5 * state.depth,
-                                                     .radius = state.width},
-                              .spin = {0, state.spin, 0}});
+        simulation->add_wall({.shape = mantle(state, setting.mantle_triangles), .spin = {0, state.spin, 0}});
         for (double const at : {-0.5 * state.depth, 0.5 * state.depth})
             simulation->add_wall(plane({0, at, 0}, z, x));
     }
     return simulation;
 }
 
-State settled_box(int spheres)
+State settled_box(int spheres, Sizes sizes)
 {
-    auto const r = radii(spheres);
+    auto const r = radii(spheres, sizes);
     double const side = std::cbrt(solid_volume(r) / bed_fraction);
     State state{.kind = "box", .width = side, .depth = side};
     state.time_step = 0.18 * dem::rayleigh_time(smallest, powder("none").materials[0]);
-    state.skin = 0.4 * largest;
+    state.skin = skin(sizes);
     pour(state, r, 0.5 * side, side, 0);
     simulate(state, 4 * std::sqrt(2 * 2 * side / 9.81));
     return state;
@@ -135,15 +164,16 @@ State tiled_box(State const& box, int along_x, int along_y)
     return state;
 }
 
-State flowing_drum(int spheres)
+State flowing_drum(int spheres, Sizes sizes)
 {
-    auto const r = radii(spheres);
-    // Length 1.4 times the radius, a quarter of the volume filled.
-    double const volume = solid_volume(r) / bed_fraction / 0.25;
+    auto const r = radii(spheres, sizes);
+    // Length 1.4 times the radius; large spheres, or equal ones, need more room for their loose filling.
+    double const filling = sizes == Sizes::spread ? 0.25 : 0.15;
+    double const volume = solid_volume(r) / bed_fraction / filling;
     double const radius = std::cbrt(volume / (1.4 * std::numbers::pi));
     State state{.kind = "drum", .width = radius, .depth = 1.4 * radius};
     state.time_step = 0.18 * dem::rayleigh_time(smallest, powder("none").materials[0]);
-    state.skin = 0.4 * largest;
+    state.skin = skin(sizes);
     state.spin = std::sqrt(0.01 * 9.81 / radius);
     // A column that fits into the lying cylinder: the height of a chord of 1.2 radii is 1.6 radii.
     pour(state, r, 0, 1.2 * radius, -0.78 * radius);

@@ -27,19 +27,35 @@ struct State
     std::vector<Sphere> spheres = {};
 };
 
+//! Radii of the spheres of a state.
+enum class Sizes
+{
+    spread,     //!< 0.5 to 1 mm
+    equal,      //!< 0.5 mm
+    one_to_ten, //!< 0.5 mm, and as much volume again in spheres of 5 mm
+};
+
+//! What may differ between simulations of one state.
+struct Setting
+{
+    contact::Model model;
+    int mantle_triangles = 0; //!< of the drum's mantle, about; 0: a cylinder
+    double skin = 0;          //!< [m]; 0: that of the state
+    dem::Team* team = nullptr;
+};
+
 //! E = 5 MPa, nu = 0.3, e = 0.4, mu = 0.5, mu_r = 0.1, 2500 kg/m^3: Hertz-Mindlin with history, as the peers
 //! have it; `rolling`: none or epsd2.
 contact::Model powder(std::string const& rolling);
-//! The state as a simulation, without contact histories; of a team where there is one.
-std::unique_ptr<dem::Simulation> make_simulation(State const& state, std::string const& rolling,
-                                                 dem::Team* team = nullptr);
+//! The state as a simulation, without contact histories.
+std::unique_ptr<dem::Simulation> make_simulation(State const& state, Setting const& setting);
 
-//! Spheres of radius 0.5 to 1 mm at rest in a box as wide as the bed is high.
-State settled_box(int spheres);
+//! Spheres at rest in a box as wide as the bed is high.
+State settled_box(int spheres, Sizes sizes);
 //! The box side by side with itself, `along_x` times `along_y` boxes without walls between them.
 State tiled_box(State const& box, int along_x, int along_y);
-//! The same spheres in a drum, 25 % full, Froude number 0.01, after a quarter of a turn.
-State flowing_drum(int spheres);
+//! Spheres in a drum, 15 to 25 % full, Froude number 0.01, after a quarter of a turn.
+State flowing_drum(int spheres, Sizes sizes);
 
 //! Exact text file. \throws InputError
 void write_state(State const& state, std::filesystem::path const& file);

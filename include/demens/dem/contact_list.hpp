@@ -25,6 +25,12 @@ struct MeshPatch
     std::uint32_t first_slot, slots;         //!< its places in the contact list
     std::uint32_t first_triangle, triangles; //!< its places among the near triangles
     float due; //!< that of the first triangle due; `always` while it touches any
+
+    // While it touches, its own path counts instead of what the fastest body may have travelled.
+    std::uint32_t soon = 0;   //!< so many of its near triangles, moved to the front, are due soon
+    float later_due = always; //!< that of the first of the others
+    double path = -1;         //!< of the particle along the mesh since the rebuild [m]; -1: not yet looked at
+    Vector3 seen_at = {};     //!< where it was when it was looked at last, in the mesh's coordinates [m]
 };
 
 //! Two particles that may touch before the next rebuild.

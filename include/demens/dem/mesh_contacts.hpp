@@ -34,6 +34,16 @@ class MeshContactFinder
     std::span<Vector3 const> find(shape::TriangleMesh const& mesh, std::span<NearTriangle> near,
                                   double travelled, Sphere const& sphere);
 
+    //! How many of the triangles that are due are in reach, and from where to the centre for the last of
+    //! them: where there is one, it is the contact. Finds when they are due next.
+    struct InReach
+    {
+        int count;
+        Vector3 offset; //!< [m]
+    };
+    static InReach look(shape::TriangleMesh const& mesh, std::span<NearTriangle> near, double travelled,
+                        Sphere const& sphere);
+
   private:
     struct Candidate
     {
@@ -52,8 +62,21 @@ class MeshContactFinder
     std::vector<std::size_t> accepted_;
 };
 
+//! Offset of a slot without a contact [m].
+constexpr Vector3 out_of_reach{1e100, 0, 0};
+
+//! Cosine of the angle within which the normal of a contact may turn in a step.
+constexpr double like_normals = 0.7;
+//! Whether it may have turned from one offset to the other.
+inline bool is_like(Vector3 const& one, Vector3 const& other)
+{
+    double const product = dot(one, other);
+    return product > 0 &&
+           product * product > like_normals * like_normals * norm_squared(one) * norm_squared(other);
+}
+
 //! Gives contacts their slots in a patch: a contact takes the history of the one whose normal was nearest to
-//! its own. Slots without a contact get an offset out of reach.
+//! its own. Slots without a contact get `out_of_reach`.
 void assign_slots(ContactList& list, MeshPatch const& patch, std::span<Vector3 const> contacts);
 
 } // namespace demens::dem

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "demens/dem/cell_grid.hpp"
 #include "demens/dem/contact_list.hpp"
 #include "demens/dem/particles.hpp"
 #include "demens/dem/periods.hpp"
 #include "demens/dem/wall.hpp"
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -37,8 +37,6 @@ class NeighbourSearch
                  std::vector<ContactList>& lists);
     //! The number that each particle got at the last rebuild, by the one it had.
     std::vector<std::uint32_t> const& new_numbers() const { return new_index_; }
-    //! \throws InputError where a period is too short for particles up to the given radius [m].
-    void check_periods(double largest_radius, double skin) const;
 
   private:
     //! A touching contact of the old lists, by its new particle numbers.
@@ -49,62 +47,26 @@ class NeighbourSearch
         bool with_wall, reversed;
     };
 
-    //! Cells in rows along x and layers along x and y. Without periods the space is turned so that z is its
-    //! longest direction: the smaller the layers, the more of their particles stay in the cache.
-    struct Grid
+    //! The lists of pairs that are being filled.
+    struct PairLists
     {
-        std::array<int, 3> axes; //!< of space, that are x, y and z here
-        Vector3 lower;
-        Vector3 per_length; //!< cells per length in each direction [1/m]
-        int nx, ny, nz;
-
-        DEMENS_INLINE Vector3 operator()(Place const& p) const
-        {
-            double const place[3] = {p.x, p.y, p.z};
-            return {place[axes[0]], place[axes[1]], place[axes[2]]};
-        }
+        ContactList* of_interaction;
+        NeighbourReach reach;
     };
 
-    //! Up to nine ranges of cells that hold the forward half of a cell's neighbours: each pair of cells is
-    //! met once.
-    struct ForwardCells
-    {
-        std::uint32_t from[9], to[9]; //!< cell numbers; `to` is one past the last
-        int count = 0;
-
-        void add(int first, int last)
-        {
-            from[count] = static_cast<std::uint32_t>(first);
-            to[count++] = static_cast<std::uint32_t>(last) + 1;
-        }
-    };
-
-    //! Ranges of cells around one; those of a row follow one another.
-    struct CellsAround
-    {
-        std::uint32_t from[18], to[18]; //!< cell numbers; `to` is one past the last
-        int count = 0;
-
-        void add(int first, int last)
-        {
-            from[count] = static_cast<std::uint32_t>(first);
-            to[count++] = static_cast<std::uint32_t>(last) + 1;
-        }
-    };
-
-    Grid make_grid(Particles const& particles, double skin) const;
-    void sort_into_cells(Particles& particles, Grid const& grid);
+    void sort_into_cells(Particles& particles, CellGrid const& grid);
     //! Numbers particles [from, to) along the cells.
-    void number_along_cells(Particles const& particles, Grid const& grid, std::size_t from, std::size_t to,
-                            std::vector<std::uint32_t>& cell_start);
+    void number_along_cells(Particles const& particles, CellGrid const& grid, std::size_t from,
+                            std::size_t to, std::vector<std::uint32_t>& cell_start);
     void index_old_contacts(std::size_t particles, std::vector<ContactList> const& lists);
-    ForwardCells forward_cells(Grid const& grid, int cx, int cy, int cz) const;
+    //! Adds a pair that is within reach.
     template <bool periodic>
-    void find_pairs(Particles const& particles, Grid const& grid, NeighbourReach const& reach,
-                    std::vector<ContactList>& lists);
-    CellsAround cells_around(Grid const& grid, std::uint32_t cell) const;
-    void find_ghost_pairs(Particles const& particles, Grid const& grid, NeighbourReach const& reach,
-                          std::vector<ContactList>& lists);
+    void test_pair(Particles const& particles, std::uint32_t first, std::uint32_t second, PairLists lists);
+    template <bool periodic, bool has_large>
+    void find_pairs(Particles const& particles, CellGrid const& grid, PairLists lists);
+    //! Pairs of which one is larger than the cells fit, or both.
+    void find_pairs_of_large(Particles const& particles, CellGrid const& grid, PairLists lists);
+    void find_ghost_pairs(Particles const& particles, CellGrid const& grid, PairLists lists);
     void find_wall_contacts(Particles const& particles, std::vector<Wall> const& walls, double skin,
                             std::vector<ContactList>& lists);
     //! Adds a contact, with the history it had if it was touching.
@@ -118,7 +80,8 @@ class NeighbourSearch
     std::size_t materials_;
     std::vector<std::uint32_t> interaction_;
     Periods periods_;
-    std::vector<std::uint32_t> cell_of_, cell_start_, ghost_cell_start_, new_index_;
+    std::vector<std::uint32_t> large_; //!< owned particles that are larger than the cells fit
+    std::vector<std::uint32_t> cell_of_, cell_start_, new_index_;
     std::vector<std::uint32_t> old_start_;
     std::vector<OldContact> old_contacts_;
     std::vector<ContactList> old_lists_;

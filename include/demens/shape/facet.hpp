@@ -59,14 +59,22 @@ inline Facet::Nearest Facet::nearest(Vector3 const& p) const
     double const s = (p1 * d22 - p2 * d12) * inverse, t = (p2 * d11 - p1 * d12) * inverse;
     if (s >= 0 && t >= 0 && s + t <= 1)
         return {dot(relative, normal) * normal, face};
-    Nearest best = nearest_on_edge(relative, side_1, d11, first, second);
-    Nearest const on_2 = nearest_on_edge(relative, side_2, d22, first, third);
-    if (norm_squared(on_2.offset) < norm_squared(best.offset))
-        best = on_2;
-    Nearest const on_3 =
-        nearest_on_edge(relative - side_1, side_2 - side_1, d11 - 2 * d12 + d22, second, third);
-    if (norm_squared(on_3.offset) < norm_squared(best.offset))
-        best = on_3;
+    // The nearest edge is one that p lies beyond; a little more, for rounding in needles.
+    constexpr double little = 1e-3;
+    Nearest best{relative, first};
+    double least = norm_squared(relative);
+    auto const consider = [&](Nearest const& other) {
+        if (double const squared = norm_squared(other.offset); squared < least) {
+            best = other;
+            least = squared;
+        }
+    };
+    if (t < little)
+        consider(nearest_on_edge(relative, side_1, d11, first, second));
+    if (s < little)
+        consider(nearest_on_edge(relative, side_2, d22, first, third));
+    if (s + t > 1 - little)
+        consider(nearest_on_edge(relative - side_1, side_2 - side_1, d11 - 2 * d12 + d22, second, third));
     return best;
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -65,6 +66,108 @@ TEST(Neighbours, ListsHoldEachNearPairOnceUnderItsMaterials)
             }
         EXPECT_EQ(found, expected) << count;
     }
+}
+
+TEST(Neighbours, SizesFarApartFindTheSamePairs)
+{
+    // From a few large ones to many, with one and two periods and none.
+    double const skin = 0.1, side = 12;
+    for (int const per_large : {1000, 100, 10})
+        for (int const periods : {0, 1, 2}) {
+            SCOPED_TRACE(testing::Message() << "one in " << per_large << " large, periods " << periods);
+            std::size_t const count = 2000;
+            auto particles = random_particles(count, side, static_cast<std::uint64_t>(per_large));
+            for (std::size_t k = 0; k < count; ++k)
+                particles.place[k].radius *= k % static_cast<std::size_t>(per_large) == 7 ? 2.5 : 0.25;
+            dem::Periods const periodic{.x = {0, periods > 0 ? side : 0}, .y = {0, periods > 1 ? side : 0}};
+            auto lists = empty_lists();
+            dem::NeighbourSearch search(2, {0, 1, 2, 3}, periodic);
+            search.rebuild(particles, {}, {skin, skin}, lists);
+            std::set<Pair> found;
+            for (std::size_t k = 0; k < 4; ++k)
+                for (std::size_t s = 0; s < lists[k].size(); ++s) {
+                    std::uint32_t const i = lists[k].first[s], j = lists[k].second[s];
+                    EXPECT_LT(i, j);
+                    EXPECT_EQ(k, particles.material[i] * 2 + particles.material[j]);
+                    EXPECT_TRUE(found.insert(std::minmax(particles.id[i], particles.id[j])).second);
+                }
+            std::set<Pair> expected;
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t j = 0; j < i; ++j) {
+                    auto const &a = particles.place[i], &b = particles.place[j];
+                    double const dx = dem::nearest_image(a.x - b.x, periodic.x.length(), periodic.x.half());
+                    double const dy = dem::nearest_image(a.y - b.y, periodic.y.length(), periodic.y.half());
+                    if (std::hypot(dx, dy, a.z - b.z) < a.radius + b.radius + skin)
+                        expected.insert(std::minmax(particles.id[i], particles.id[j]));
+                }
+            EXPECT_EQ(found, expected);
+        }
+}
+
+//! Pairs of ids whose surfaces are within reach.
+std::set<Pair> pairs_within(dem::Particles const& particles, double reach)
+{
+    std::set<Pair> pairs;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            auto const &a = particles.place[i], &b = particles.place[j];
+            if (std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) < a.radius + b.radius + reach)
+                pairs.insert(std::minmax(particles.id[i], particles.id[j]));
+        }
+    return pairs;
+}
+
+TEST(Neighbours, ContactsAreTheCandidatesThatAreNear)
+{
+    auto particles = random_particles(400, 8, 6);
+    auto lists = empty_lists();
+    dem::NeighbourSearch search(2, {0, 1, 2, 3});
+    search.rebuild(particles, {}, {0.5, 0.1}, lists);
+    auto const contacts = [&] {
+        std::set<Pair> found;
+        for (std::size_t k = 0; k < 4; ++k)
+            for (std::size_t s = 0; s < lists[k].size(); ++s)
+                found.insert(std::minmax(particles.id[lists[k].first[s]], particles.id[lists[k].second[s]]));
+        return found;
+    };
+    std::set<Pair> candidates;
+    for (std::size_t k = 0; k < 4; ++k)
+        for (auto const& [first, second] : lists[k].candidates)
+            candidates.insert(std::minmax(particles.id[first], particles.id[second]));
+    EXPECT_EQ(candidates, pairs_within(particles, 0.5));
+    EXPECT_EQ(contacts(), pairs_within(particles, 0.1));
+
+    // Every contact gets a history that says whose it is; one that touches stays wherever it goes.
+    std::map<Pair, double> history;
+    for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t s = 0; s < lists[k].size(); ++s) {
+            double& own = lists[k].state[s * static_cast<std::size_t>(lists[k].state_size)];
+            own = static_cast<double>(history.size() + 1);
+            history[{lists[k].first[s], lists[k].second[s]}] = own;
+        }
+    ASSERT_GT(lists[0].size(), 0u);
+    Pair const touching{lists[0].first[0], lists[0].second[0]};
+    lists[0].touching[0] = 1;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        particles.place[i].x += i % 2 ? 0.1 : -0.1;
+    particles.place[touching.first].z += 0.2;
+    auto expected = pairs_within(particles, 0.1);
+    std::erase_if(expected, [&](Pair const& pair) { return !candidates.contains(pair); });
+    expected.insert(std::minmax(particles.id[touching.first], particles.id[touching.second]));
+    dem::ContactRenewal renewal;
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        renewal.renew(lists[k], particles, {}, 0.1);
+        for (std::size_t s = 0; s < lists[k].size(); ++s) {
+            auto const known = history.find({lists[k].first[s], lists[k].second[s]});
+            double const own = lists[k].state[s * static_cast<std::size_t>(lists[k].state_size)];
+            EXPECT_EQ(own, known == history.end() ? 0.0 : known->second);
+            kept += own != 0;
+        }
+    }
+    EXPECT_EQ(contacts(), expected);
+    EXPECT_GT(kept, 100u);
+    EXPECT_LT(kept, history.size());
 }
 
 TEST(Neighbours, HistoriesFollowTheirPairsAndTurnWithThem)
