@@ -172,9 +172,9 @@ void Simulation::move()
     double const dt = options_.time_step;
     double const kick = first_step_ ? 0.5 * dt : dt;
     first_step_ = false;
-    double const fastest =
-        largest(std::sqrt(move_particles(particles_.place.data(), particles_.motion.data(),
-                                         particles_.load.data(), particles_.owned(), kick, dt, options_.gravity)));
+    double const fastest = largest(
+        std::sqrt(move_particles(particles_.place.data(), particles_.motion.data(), particles_.load.data(),
+                                 particles_.owned(), kick, dt, options_.gravity)));
     travelled_ += dt * std::max(fastest, 0.5 * (fastest + move_walls()));
 }
 

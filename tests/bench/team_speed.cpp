@@ -1,5 +1,5 @@
-// Times one simulation over the ranks of mpirun, on a state that `engine_speed prepare` wrote, and says where the
-// time goes: `mpirun -n 2 team_speed FOLDER`. SCALING.md makes a model of it.
+// Times one simulation over the ranks of mpirun, on a state that `engine_speed prepare` wrote, and says where
+// the time goes: `mpirun -n 2 team_speed FOLDER`. SCALING.md makes a model of it.
 #include "ensemble/mpi/mpi_team.hpp"
 #include "tests/bench/replica.hpp"
 
@@ -53,8 +53,8 @@ class TimedTeam : public dem::Team
   public:
     TimedTeam(dem::Team& team, Overlap overlap) : team_(team), overlap_(overlap) {}
 
-    Moment reduced, exchanged;         //!< every step: largest speed, ghosts
-    double numbers = 0, partners = 0;  //!< that this rank received in the last step
+    Moment reduced, exchanged;        //!< every step: largest speed, ghosts
+    double numbers = 0, partners = 0; //!< that this rank received in the last step
 
     int rank() const override { return team_.rank(); }
     int size() const override { return team_.size(); }
@@ -124,7 +124,8 @@ Times time_steps(dem::Simulation& simulation, TimedTeam& team, int steps)
 Step mean_of_fastest(std::vector<Step> steps, double part)
 {
     std::sort(steps.begin(), steps.end(), [](Step const& a, Step const& b) { return a.all < b.all; });
-    steps.resize(std::min(steps.size(), static_cast<std::size_t>(std::ceil(part * static_cast<double>(steps.size())))));
+    steps.resize(std::min(steps.size(),
+                          static_cast<std::size_t>(std::ceil(part * static_cast<double>(steps.size())))));
     Step mean{};
     for (Step const& step : steps) {
         double const weight = 1 / static_cast<double>(steps.size());
@@ -136,7 +137,8 @@ Step mean_of_fastest(std::vector<Step> steps, double part)
 
 void report(Times const& times, double part, dem::Simulation const& simulation, TimedTeam& team)
 {
-    Step const plain = mean_of_fastest(times.plain, part), rebuilding = mean_of_fastest(times.rebuilding, part);
+    Step const plain = mean_of_fastest(times.plain, part),
+               rebuilding = mean_of_fastest(times.rebuilding, part);
     std::array mean = {1e6 * plain.all,
                        1e6 * plain.computed,
                        1e6 * plain.reduced,
@@ -151,8 +153,9 @@ void report(Times const& times, double part, dem::Simulation const& simulation, 
     team.largest(std::span<double>(most));
     if (team.rank() > 0)
         return;
-    char const* const names[] = {"step_us",        "compute_us", "reduce_us",      "exchange_us", "rebuild_step_us",
-                                 "particles_here", "ghosts",     "bytes_received", "partners"};
+    char const* const names[] = {"step_us",     "compute_us",      "reduce_us",
+                                 "exchange_us", "rebuild_step_us", "particles_here",
+                                 "ghosts",      "bytes_received",  "partners"};
     fmt::print("{{\"ranks\": {}, \"steps\": {}, \"rebuilds\": {}", team.size(),
                times.plain.size() + times.rebuilding.size(), times.rebuilding.size());
     for (std::size_t k = 0; k < mean.size(); ++k)
@@ -165,7 +168,8 @@ void report(Times const& times, double part, dem::Simulation const& simulation, 
 int main(int argc, char** argv)
 {
     MPI_Init(&argc, &argv);
-    CLI::App program{"Speed of one simulation over several ranks; prints the mean and the largest over the ranks"};
+    CLI::App program{
+        "Speed of one simulation over several ranks; prints the mean and the largest over the ranks"};
     std::string folder, rolling = "none";
     int warm_up = 200, steps = 400, repeats = 3;
     double part = 1;
@@ -175,7 +179,8 @@ int main(int argc, char** argv)
     program.add_option("--warm-up", warm_up, "steps before the clock starts");
     program.add_option("--steps", steps);
     program.add_option("--repeats", repeats, "so many times; a line each");
-    program.add_option("--fastest", part, "means over this part of the steps, the fastest")->check(CLI::Range(0.0, 1.0));
+    program.add_option("--fastest", part, "means over this part of the steps, the fastest")
+        ->check(CLI::Range(0.0, 1.0));
     program.add_flag("--alone", alone, "every rank simulates all by itself, without a team");
     program.add_flag("--no-overlap", no_overlap, "wait for the ghosts before any force");
     int code = 0;

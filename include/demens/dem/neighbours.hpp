@@ -21,10 +21,10 @@ class NeighbourSearch
     {
     }
 
-    //! Sorts the particles along the cells of a grid, ghosts after the others, and fills the lists anew: one per
-    //! interaction among particles, then one per interaction with walls, then, where there may be ghosts, one
-    //! per interaction with them. All positions must be finite, and within the periods.
-    //! \throws InputError where a period is too short for the particles.
+    //! Sorts the particles along the cells of a grid, ghosts after the others, and fills the lists anew: one
+    //! per interaction among particles, then one per interaction with walls, then, where there may be ghosts,
+    //! one per interaction with them. All positions must be finite, and within the periods. \throws
+    //! InputError where a period is too short for the particles.
     void rebuild(Particles& particles, std::vector<Wall> const& walls, double skin,
                  std::vector<ContactList>& lists);
     //! The number that each particle got at the last rebuild, by the one it had.

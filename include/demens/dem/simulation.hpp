@@ -80,7 +80,10 @@ class Simulation
     Particles const& particles() const { return parts_ ? parts_->all(particles_) : particles_; }
     std::vector<Wall> const& walls() const { return walls_; }
     //! Force and torque of the particles on each wall in the last step.
-    std::vector<WallLoad> const& wall_loads() const { return parts_ ? parts_->all(wall_loads_) : wall_loads_; }
+    std::vector<WallLoad> const& wall_loads() const
+    {
+        return parts_ ? parts_->all(wall_loads_) : wall_loads_;
+    }
     //! Velocity and spin of particle number k (not id) at the time of its place [m/s], [rad/s].
     Vector3 velocity(std::size_t k) const;
     Vector3 spin(std::size_t k) const;
@@ -127,13 +130,13 @@ class Simulation
     std::vector<WallLoad> wall_loads_;
     std::map<std::uint32_t, MovedWall> moved_walls_; //!< by number
     std::vector<ContactList> lists_; //!< among particles, with walls, and, in a team, with ghosts
-    std::vector<std::uint32_t> touching_, parted_;   //!< slots found by the pair test
+    std::vector<std::uint32_t> touching_, parted_; //!< slots found by the pair test
     std::unique_ptr<NeighbourSearch> search_;
     std::unique_ptr<ContactBlock> block_;
     std::unique_ptr<EnergyMeter> meter_;   //!< null without the ledger; of this rank's part
     std::unique_ptr<Decomposition> parts_; //!< null without a team
     std::uint32_t particles_added_ = 0;
-    double travelled_ = 0;               //!< bound on how far any body moved since the rebuild [m]
+    double travelled_ = 0; //!< bound on how far any body moved since the rebuild [m]
     bool list_is_stale_ = true;
     bool first_step_ = true;
     bool left_domain_ = false;

@@ -24,7 +24,8 @@ dem::Particles scattered(int count)
     particles.resize(static_cast<std::size_t>(count));
     for (std::uint32_t k = 0; k < particles.size(); ++k) {
         double const x = random.uniform(-1.5, 1);
-        particles.place[k] = {x < -1 ? x + 1 : x, random.uniform(0, 3), random.uniform(0, 0.5), random.uniform(0.01, 0.03)};
+        particles.place[k] = {x < -1 ? x + 1 : x, random.uniform(0, 3), random.uniform(0, 0.5),
+                              random.uniform(0.01, 0.03)};
         particles.motion[k] = {0, 0, 0, 1.0 + k, 0, 0, 0, 1};
         particles.material[k] = k % 3;
         particles.id[k] = k;
@@ -85,7 +86,8 @@ TEST(Bisection, KnowsWhichBoxesComeNearAcrossPeriods)
             for (std::size_t i = static_cast<std::size_t>(team.rank()); i < all.size();
                  i += 5 * static_cast<std::size_t>(ranks)) {
                 std::set<int> near;
-                boxes.for_each_near(all.place[i], distance, [&](int rank) { EXPECT_TRUE(near.insert(rank).second); });
+                boxes.for_each_near(all.place[i], distance,
+                                    [&](int rank) { EXPECT_TRUE(near.insert(rank).second); });
                 int const owner = boxes.owner(all.place[i]);
                 EXPECT_TRUE(near.contains(owner));
                 EXPECT_TRUE(near.size() == 1 || !boxes.is_deep_inside(owner, all.place[i], distance));
@@ -144,11 +146,13 @@ TEST(Ghosts, AreTheParticlesThatMayMeetThoseOfARankAndFollowThem)
             // In another order, and after all have moved:
             std::vector<std::uint32_t> new_number(mine.size());
             for (std::size_t k = 0; k < mine.size(); ++k)
-                new_number[k] = static_cast<std::uint32_t>(k < owned ? owned - 1 - k : mine.size() - 1 - (k - owned));
+                new_number[k] =
+                    static_cast<std::uint32_t>(k < owned ? owned - 1 - k : mine.size() - 1 - (k - owned));
             auto const before = mine;
             for (std::size_t k = 0; k < mine.size(); ++k) {
                 auto const to = new_number[k];
-                mine.place[to] = before.place[k], mine.motion[to] = before.motion[k], mine.id[to] = before.id[k];
+                mine.place[to] = before.place[k], mine.motion[to] = before.motion[k],
+                mine.id[to] = before.id[k];
             }
             ghosts.renumber(new_number);
             for (std::size_t k = 0; k < owned; ++k)
@@ -162,7 +166,8 @@ TEST(Ghosts, AreTheParticlesThatMayMeetThoseOfARankAndFollowThem)
         });
 }
 
-//! A contact between particles 0 and 1 of which both owners, one or none moves: afterwards each owner has it once.
+//! A contact between particles 0 and 1 of which both owners, one or none moves: afterwards each owner has it
+//! once.
 TEST(Migration, HistoriesArriveOnceWhereTheirParticlesAre)
 {
     constexpr int ranks = 3;

@@ -26,7 +26,8 @@ class Decomposition
     void remove_ghosts(Particles& particles);
 
     //! Before neighbours are searched: gives the particles to their owners, with the histories of their
-    //! contacts, and every rank the ghosts within `reach` [m] beyond the particles' radii and the largest one.
+    //! contacts, and every rank the ghosts within `reach` [m] beyond the particles' radii and the largest
+    //! one.
     void distribute(Particles& particles, std::vector<ContactList>& lists, double reach);
     //! After it: the particles are in another order.
     void renumber(std::span<std::uint32_t const> new_numbers, Particles const& particles);
