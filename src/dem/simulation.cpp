@@ -222,6 +222,8 @@ void Simulation::search_neighbours()
         }
     if (largest(is_outside_domain() ? 1.0 : 0.0) > 0) {
         left_domain_ = true; // or is not a number; check_health tells which
+        if (parts_)
+            parts_->give_up(particles_, lists_);
         return;
     }
     double const radius = update_ranges();

@@ -134,6 +134,10 @@ TEST(Escape, IsSeenByAllRanks)
     EXPECT_EQ(simulation.check_health(), dem::Health::good);
     simulation.steps(2500);
     EXPECT_EQ(simulation.check_health(), dem::Health::escaped);
+    simulation.add_particle({0, 0, 0.5}, radius, 0);
+    simulation.steps(10);
+    EXPECT_EQ(simulation.particles().size(), 6u);
+    EXPECT_EQ(simulation.check_health(), dem::Health::escaped);
 }
 
 } // namespace

@@ -11,7 +11,7 @@
 namespace {
 
 using namespace demens;
-using testing::small_drawdown;
+using demens::testing::small_drawdown;
 
 //! The refusal of a changed input.
 std::string refusal(std::string const& key, double value)

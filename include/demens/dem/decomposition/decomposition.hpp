@@ -32,6 +32,9 @@ class Decomposition
     //! After it: the particles are in another order.
     void renumber(std::span<std::uint32_t const> new_numbers, Particles const& particles);
 
+    //! Instead of both, when particles are where they cannot be searched: nothing touches anything any more.
+    void give_up(Particles& particles, std::vector<ContactList>& lists);
+
     //! Between the two, contacts without ghosts can be computed.
     void begin_exchange(Particles const& particles);
     void finish_exchange(Particles& particles);
