@@ -280,6 +280,8 @@ void Simulation::compute_loads()
             parts_->finish_exchange(particles_);
         compute_contacts(list);
     }
+    if (awaits_ghosts) // a model without contacts
+        parts_->finish_exchange(particles_);
     if (meter_)
         meter_->add_work(walls_, wall_loads_, options_.time_step);
 }
