@@ -61,11 +61,13 @@ std::vector<dem::Team::Parcel> MpiTeam::exchange(std::vector<Parcel> const& out)
             in.push_back({rank, Bytes(bytes)});
     for (auto& parcel : in)
         in_parts(parcel.bytes.data(), parcel.bytes.size(), [&](std::byte* data, int count) {
-            MPI_Irecv(data, count, MPI_BYTE, parcel.rank, parcel_tag, communicator_, &requests.emplace_back());
+            MPI_Irecv(data, count, MPI_BYTE, parcel.rank, parcel_tag, communicator_,
+                      &requests.emplace_back());
         });
     for (auto const& parcel : out)
         in_parts(parcel.bytes.data(), parcel.bytes.size(), [&](std::byte const* data, int count) {
-            MPI_Isend(data, count, MPI_BYTE, parcel.rank, parcel_tag, communicator_, &requests.emplace_back());
+            MPI_Isend(data, count, MPI_BYTE, parcel.rank, parcel_tag, communicator_,
+                      &requests.emplace_back());
         });
     MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
     return in;
@@ -98,8 +100,8 @@ void MpiTeam::begin(std::span<Link const> links, double const* out, double* in)
                       communicator_, &requests_.emplace_back());
     for (Link const& link : links)
         if (link.out_count > 0)
-            MPI_Isend(out + link.out_begin, static_cast<int>(link.out_count), MPI_DOUBLE, link.rank, ghost_tag,
-                      communicator_, &requests_.emplace_back());
+            MPI_Isend(out + link.out_begin, static_cast<int>(link.out_count), MPI_DOUBLE, link.rank,
+                      ghost_tag, communicator_, &requests_.emplace_back());
 }
 
 void MpiTeam::finish()

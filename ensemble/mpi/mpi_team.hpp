@@ -6,8 +6,8 @@
 
 namespace demens::ensemble {
 
-//! The ranks of a communicator as the team of a simulation. The communicator must outlive it and serve nothing
-//! else meanwhile.
+//! The ranks of a communicator as the team of a simulation. The communicator must outlive it and serve
+//! nothing else meanwhile.
 class MpiTeam : public dem::Team
 {
   public:

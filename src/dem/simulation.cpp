@@ -227,6 +227,8 @@ void Simulation::search_neighbours()
         }
     if (largest(is_outside_domain() ? 1.0 : 0.0) > 0) {
         left_domain_ = true; // or is not a number; check_health tells which
+        if (parts_)
+            parts_->give_up(particles_, lists_);
         return;
     }
     double const radius = update_ranges();
@@ -289,6 +291,8 @@ void Simulation::compute_loads()
             renewal_.renew(list, particles_, options_.periodic, reach_.contacts);
         compute_contacts(list);
     }
+    if (awaits_ghosts) // a model without contacts
+        parts_->finish_exchange(particles_);
     if (meter_)
         meter_->add_work(walls_, wall_loads_, options_.time_step);
 }

@@ -1,5 +1,5 @@
-// Beds that several ranks share: nothing is lost, momentum and energy are kept, and as long as rounding has not
-// grown the places are those of one rank.
+// Beds that several ranks share: nothing is lost, momentum and energy are kept, and as long as rounding has
+// not grown the places are those of one rank.
 #include "team_setup.hpp"
 
 #include "demens/base/random.hpp"
@@ -23,7 +23,8 @@ void pour(dem::Simulation& simulation, int count, double width, double depth, Ve
     std::vector<double> diameters;
     for (int k = 0; k < count; ++k)
         diameters.push_back(radius * random.uniform(1, 3));
-    auto const places = shape::loose_packing(diameters, {-0.5 * width, -0.5 * depth, 0}, width, depth, 0.3, random);
+    auto const places =
+        shape::loose_packing(diameters, {-0.5 * width, -0.5 * depth, 0}, width, depth, 0.3, random);
     for (std::size_t k = 0; k < places.size(); ++k)
         simulation.add_particle(places[k], 0.5 * diameters[k], 0, velocity);
 }
@@ -35,8 +36,8 @@ void add_floor(dem::Simulation& simulation)
 
 dem::Simulation box(dem::Team* team, int count, double side)
 {
-    dem::Simulation simulation(springs(1e7),
-                               {.time_step = time_step, .skin = 0.3 * radius, .energy_ledger = true, .team = team});
+    dem::Simulation simulation(
+        springs(1e7), {.time_step = time_step, .skin = 0.3 * radius, .energy_ledger = true, .team = team});
     pour(simulation, count, side, side, {0, 0, -1});
     add_floor(simulation);
     for (double const at : {-0.5 * side, 0.5 * side}) {
@@ -150,8 +151,9 @@ TEST(Bed, BeginsAsWithOneRankInPeriods)
 TEST(Bed, BeginsAsWithOneRankInATurningDrumOfTriangles)
 {
     auto const make = [](dem::Team* team) {
-        dem::Simulation simulation(springs(1e6),
-                                   {.time_step = time_step, .skin = 0.3 * radius, .energy_ledger = true, .team = team});
+        dem::Simulation simulation(
+            springs(1e6),
+            {.time_step = time_step, .skin = 0.3 * radius, .energy_ledger = true, .team = team});
         pour(simulation, 300, 0.03, 0.03, {0, 0, -1});
         auto mesh = demens::testing::mesh_of(demens::testing::drum_triangles(0.05, 0.03, 24, 4));
         mesh.placement.shift = {0, 0, 0.045};
@@ -167,12 +169,13 @@ TEST(Bed, BeginsAsWithOneRankInATurningDrumOfTriangles)
 
 TEST(Bed, ACloudWithoutWallsKeepsItsMomentum)
 {
-    dem::Simulation simulation(springs(1e6),
-                               {.time_step = time_step, .gravity = {}, .skin = 0.3 * radius, .team = &team()});
+    dem::Simulation simulation(
+        springs(1e6), {.time_step = time_step, .gravity = {}, .skin = 0.3 * radius, .team = &team()});
     RandomStream random(5);
     double momentum = 0;
     for (int k = 0; k < 500; ++k)
-        simulation.add_particle({3 * radius * (k % 8), 3 * radius * (k / 8 % 8), 3 * radius * (k / 64)}, radius, 0,
+        simulation.add_particle({3 * radius * (k % 8), 3 * radius * (k / 8 % 8), 3 * radius * (k / 64)},
+                                radius, 0,
                                 {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
     auto const sum = [&] {
         Vector3 sum{};

@@ -1,4 +1,5 @@
-// Single collisions of spheres that two ranks own, against the same ones of one rank; and hardly any particles.
+// Single collisions of spheres that two ranks own, against the same ones of one rank; and hardly any
+// particles.
 #include "team_setup.hpp"
 
 namespace {
@@ -8,8 +9,9 @@ using namespace demens::test;
 
 constexpr double radius = 5e-3, time_step = 5e-6;
 
-//! Resting spheres far from the path along x, so many left and right of it that what moves on the path changes no
-//! cut: it changes its owner instead. The cut between two ranks is just right of a sphere at x = `cut`.
+//! Resting spheres far from the path along x, so many left and right of it that what moves on the path
+//! changes no cut: it changes its owner instead. The cut between two ranks is just right of a sphere at x =
+//! `cut`.
 void add_bystanders(dem::Simulation& simulation, int left, int right, double cut)
 {
     if (cut != 0)
@@ -39,8 +41,10 @@ class Collision : public testing::TestWithParam<Case>
                                                   .energy_ledger = true,
                                                   .team = team});
         double const from = c.drift.x < 0 ? 0.08 : c.drift.x > 0 ? -0.08 : 0;
-        simulation.add_particle({from - 1.01 * radius, 1e-3, 0}, radius, 0, c.drift + 0.5 * c.approach, {3, 50, 20});
-        simulation.add_particle({from + 1.01 * radius, 0, 1e-3}, 0.9 * radius, 0, c.drift - 0.5 * c.approach, {0, 40, -10});
+        simulation.add_particle({from - 1.01 * radius, 1e-3, 0}, radius, 0, c.drift + 0.5 * c.approach,
+                                {3, 50, 20});
+        simulation.add_particle({from + 1.01 * radius, 0, 1e-3}, 0.9 * radius, 0, c.drift - 0.5 * c.approach,
+                                {0, 40, -10});
         add_bystanders(simulation, c.left, c.right, 0.6 * from);
         return simulation;
     }
@@ -93,7 +97,8 @@ TEST(FewParticles, AsManyAsThereAreMoveAndBounce)
 {
     for (int const count : {0, 1, 2, 3}) {
         auto const make = [&](dem::Team* team) {
-            dem::Simulation simulation(springs(1e6), {.time_step = time_step, .skin = 0.2 * radius, .team = team});
+            dem::Simulation simulation(springs(1e6),
+                                       {.time_step = time_step, .skin = 0.2 * radius, .team = team});
             for (int k = 0; k < count; ++k)
                 simulation.add_particle({0.03 * k, 0, 1.5 * radius}, radius, 0);
             simulation.add_wall(rectangle({}, {1, 0, 0}, {0, 1, 0}));
@@ -128,6 +133,10 @@ TEST(Escape, IsSeenByAllRanks)
     simulation.steps(50);
     EXPECT_EQ(simulation.check_health(), dem::Health::good);
     simulation.steps(2500);
+    EXPECT_EQ(simulation.check_health(), dem::Health::escaped);
+    simulation.add_particle({0, 0, 0.5}, radius, 0);
+    simulation.steps(10);
+    EXPECT_EQ(simulation.particles().size(), 6u);
     EXPECT_EQ(simulation.check_health(), dem::Health::escaped);
 }
 

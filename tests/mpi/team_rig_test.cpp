@@ -23,7 +23,8 @@ std::vector<double> responses(dem::Team* shared_by)
             continue;
         rig::RunHooks hooks;
         hooks.team = shared_by;
-        auto const result = info.run(demens::testing::small_drawdown(static_cast<std::uint64_t>(seed + 1)), hooks);
+        auto const result =
+            info.run(demens::testing::small_drawdown(static_cast<std::uint64_t>(seed + 1)), hooks);
         EXPECT_EQ(result.status, rig::RunStatus::finished) << result.reason;
         EXPECT_EQ(result.snapshots.size(), 2u);
         std::copy(result.responses.begin(), result.responses.end(),
@@ -46,7 +47,8 @@ TEST(Rig, MeasuresWhatOneRankMeasuresWithinPackingNoise)
             for (int seed = 0; seed < seeds; ++seed)
                 sum += all[static_cast<std::size_t>(seed) * infos.size() + r] / seeds;
             for (int seed = 0; seed < seeds; ++seed)
-                squares += std::pow(all[static_cast<std::size_t>(seed) * infos.size() + r] - sum, 2) / (seeds - 1);
+                squares +=
+                    std::pow(all[static_cast<std::size_t>(seed) * infos.size() + r] - sum, 2) / (seeds - 1);
             return std::pair(sum, std::sqrt(squares));
         };
         auto const [mean, sd] = mean_and_sd(alone);

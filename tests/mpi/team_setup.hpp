@@ -28,7 +28,8 @@ inline contact::Model springs(double youngs_modulus)
 
 inline dem::Wall rectangle(Vector3 const& centre, Vector3 const& u, Vector3 const& v, double half = 10)
 {
-    return {.shape = dem::Rectangle{.centre = centre, .axis_u = u, .axis_v = v, .half_u = half, .half_v = half}};
+    return {.shape =
+                dem::Rectangle{.centre = centre, .axis_u = u, .axis_v = v, .half_u = half, .half_v = half}};
 }
 
 inline Vector3 place_of(dem::Particles const& particles, std::size_t k)
@@ -57,7 +58,8 @@ inline Difference difference_of(dem::Simulation const& a, dem::Simulation const&
     EXPECT_EQ(in_a.size(), in_b.size());
     for (std::size_t id = 0; id < std::min(in_a.size(), in_b.size()); ++id) {
         auto const i = in_a[id], j = in_b[id];
-        difference.place = std::max(difference.place, norm(place_of(a.particles(), i) - place_of(b.particles(), j)));
+        difference.place =
+            std::max(difference.place, norm(place_of(a.particles(), i) - place_of(b.particles(), j)));
         difference.velocity = std::max(difference.velocity, norm(a.velocity(i) - b.velocity(j)));
         difference.spin = std::max(difference.spin, norm(a.spin(i) - b.spin(j)));
     }

@@ -21,7 +21,8 @@ inline rig::RunInput small_drawdown(std::uint64_t seed)
 {
     rig::RunInput input;
     input.model.materials = {{"stone", 2600, 1e6, 0.3}, {"wood", 700, 1e8, 0.3}, {"glass", 2500, 1e9, 0.2}};
-    input.model.pairs = {sliding_pair("stone", "stone"), sliding_pair("stone", "wood"), sliding_pair("stone", "glass")};
+    input.model.pairs = {sliding_pair("stone", "stone"), sliding_pair("stone", "wood"),
+                         sliding_pair("stone", "glass")};
     input.size_distributions.emplace("gravel", shape::SizeDistribution({0.016, 0.024}, {0, 1}));
     input.experiment = defaults_of(rig::find_rig("drawdown")->options);
     auto& options = input.experiment;

@@ -16,7 +16,10 @@ class ThreadTeam : public dem::Team
     //! What the threads see of each other.
     struct Meeting
     {
-        explicit Meeting(int size) : size(size), barrier(size), values(size), parcels(size), links(size), out(size) {}
+        explicit Meeting(int size)
+            : size(size), barrier(size), values(size), parcels(size), links(size), out(size)
+        {
+        }
         int size;
         std::barrier<> barrier;
         std::vector<std::vector<double>> values;
@@ -72,7 +75,8 @@ class ThreadTeam : public dem::Team
         for (Link const& mine : meeting_.links[rank_])
             for (Link const& theirs : meeting_.links[mine.rank])
                 if (theirs.rank == rank_)
-                    std::copy_n(meeting_.out[mine.rank] + theirs.out_begin, theirs.out_count, in_ + mine.in_begin);
+                    std::copy_n(meeting_.out[mine.rank] + theirs.out_begin, theirs.out_count,
+                                in_ + mine.in_begin);
         meeting_.barrier.arrive_and_wait();
     }
 

@@ -33,9 +33,9 @@ struct alignas(64) Load
     double tx, ty, tz, unused2; //!< [N m]
 };
 
-//! All particles, in an order that changes at each neighbour rebuild; `id` stays with a particle. Where several
-//! processes share a simulation, those of this one, then the ghosts: copies of particles of the others that
-//! come near.
+//! All particles, in an order that changes at each neighbour rebuild; `id` stays with a particle. Where
+//! several processes share a simulation, those of this one, then the ghosts: copies of particles of the
+//! others that come near.
 struct Particles
 {
     std::vector<Place> place;

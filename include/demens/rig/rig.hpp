@@ -76,15 +76,16 @@ struct RunInput
     Files files = {};
 };
 
-//! What the caller wants while a run goes on; nothing here but the number of ranks in a team changes the result.
+//! What the caller wants while a run goes on; nothing here but the number of ranks in a team changes the
+//! result.
 struct RunHooks
 {
     std::function<void(Snapshot const&)> on_frame = {}; //!< called every `frame_interval` of simulated time
     double frame_interval = 0;                          //!< [s]; 0: never
     std::function<bool()> should_stop = {}; //!< polled about once a second; true ends the run early
     double wall_time_limit = 0;             //!< [s]; 0: none
-    //! The ranks that simulate the run together; null: this one alone. All of them call the rig, with hooks that
-    //! are set alike, and get the same result.
+    //! The ranks that simulate the run together; null: this one alone. All of them call the rig, with hooks
+    //! that are set alike, and get the same result.
     dem::Team* team = nullptr;
 };
 

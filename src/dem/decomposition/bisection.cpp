@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace demens::dem {
 namespace {
@@ -29,6 +30,92 @@ Bisection::Bisection(int ranks, Periods const& periods) : ranks_(ranks), periods
     box_of_rank_.assign(static_cast<std::size_t>(ranks), 0);
 }
 
+//! What is cut: the particles of this rank, and the node that each is in.
+struct Bisection::Cutting
+{
+    Team& team;
+    std::span<Place const> places;
+    std::span<double const> weights;
+    std::span<int const> node_of;
+
+    //! What the ranks find in each of some nodes: `visit(k, i)` is called for particle i in `nodes[k]`.
+    template <class Visit>
+    void for_each_in(std::vector<int> const& nodes, Visit&& visit) const
+    {
+        std::vector<int> number(static_cast<std::size_t>(*std::max_element(nodes.begin(), nodes.end()) + 1),
+                                -1);
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+            number[static_cast<std::size_t>(nodes[k])] = static_cast<int>(k);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            auto const node = static_cast<std::size_t>(node_of[i]);
+            if (node < number.size() && number[node] >= 0)
+                visit(static_cast<std::size_t>(number[node]), i);
+        }
+    }
+};
+
+namespace {
+
+//! Where the cut of a node may be.
+struct Search
+{
+    int axis = 0;
+    double from = 0, to = 0; //!< [m]
+    double weight = 0, weight_below = 0,
+           target = 0; //!< of the node, of what is below `from`, of the first half
+
+    double border(int bin) const { return bin < bins ? from + (to - from) * bin / bins : to; }
+    //! Bin of a coordinate between `from` and `to`.
+    int bin_of(double x) const
+    {
+        int const bin = to > from ? std::min(static_cast<int>((x - from) / (to - from) * bins), bins - 1) : 0;
+        return x < border(bin) ? bin - 1 : bin + 1 < bins && x >= border(bin + 1) ? bin + 1 : bin; // rounding
+    }
+    //! Goes on in the bin in which the target is reached.
+    void narrow(double const* weight_of_bin)
+    {
+        int bin = 0;
+        while (bin + 1 < bins && weight_below + weight_of_bin[bin] < target)
+            weight_below += weight_of_bin[bin++];
+        std::tie(from, to) = std::pair(border(bin), border(bin + 1));
+    }
+};
+
+//! Searches that begin with all the extent of the nodes, along the longest side.
+template <class Cutting>
+std::vector<Search> begin_searches(Cutting const& cutting, std::vector<int> const& nodes)
+{
+    // Of each node: largest coordinates, and the smallest ones with their sign changed.
+    std::vector<std::array<double, 6>> extents(nodes.size(),
+                                               {-1e300, -1e300, -1e300, -1e300, -1e300, -1e300});
+    std::vector<double> weights(nodes.size(), 0.0);
+    cutting.for_each_in(nodes, [&](std::size_t k, std::size_t i) {
+        weights[k] += cutting.weights[i];
+        for (int axis = 0; axis < 3; ++axis) {
+            auto &upper = extents[k][static_cast<std::size_t>(axis)],
+                 &lower = extents[k][static_cast<std::size_t>(axis) + 3];
+            double const x = along(cutting.places[i], axis);
+            upper = std::max(upper, x), lower = std::max(lower, -x);
+        }
+    });
+    cutting.team.largest(std::span(extents.front().data(), 6 * extents.size()));
+    cutting.team.sum(weights);
+    std::vector<Search> searches(nodes.size());
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        auto const& extent = extents[k];
+        if (weights[k] == 0) // nobody there
+            continue;
+        std::size_t axis = 0;
+        for (std::size_t const other : {1u, 2u})
+            if (extent[other] + extent[other + 3] > extent[axis] + extent[axis + 3])
+                axis = other;
+        searches[k] = {static_cast<int>(axis), -extent[axis + 3], extent[axis], weights[k], 0, 0};
+    }
+    return searches;
+}
+
+} // namespace
+
 //! The nodes of one depth are cut together, so that the number of messages grows with the depth only.
 void Bisection::cut(Team& team, std::span<Place const> places, std::span<double const> weights)
 {
@@ -39,37 +126,7 @@ void Bisection::cut(Team& team, std::span<Place const> places, std::span<double 
         std::erase_if(level, [&](int node) { return nodes_[static_cast<std::size_t>(node)].ranks == 1; });
         if (level.empty())
             break;
-        auto searches = begin_searches(team, level, places, node_of);
-        std::vector<double> sums(searches.size() * 1, 0.0);
-        std::vector<int> search_of(nodes_.size(), -1);
-        for (std::size_t k = 0; k < searches.size(); ++k)
-            search_of[static_cast<std::size_t>(searches[k].node)] = static_cast<int>(k);
-        for (std::size_t i = 0; i < places.size(); ++i)
-            if (int const k = search_of[static_cast<std::size_t>(node_of[i])]; k >= 0)
-                sums[static_cast<std::size_t>(k)] += weights[i];
-        team.sum(sums);
-        for (std::size_t k = 0; k < searches.size(); ++k) {
-            int const ranks = nodes_[static_cast<std::size_t>(searches[k].node)].ranks;
-            searches[k].target = sums[k] * (ranks / 2) / ranks;
-        }
-        for (int round = 0; round < rounds; ++round)
-            narrow(team, searches, places, weights, node_of);
-
-        level.clear();
-        for (Search const& search : searches) {
-            auto const number = static_cast<std::size_t>(search.node);
-            nodes_[number].at = search.to;
-            nodes_[number].half = static_cast<int>(nodes_.size());
-            Node below = nodes_[number], above = nodes_[number];
-            below.half = above.half = -1;
-            below.ranks = nodes_[number].ranks / 2;
-            above.ranks -= below.ranks;
-            above.first_rank += below.ranks;
-            auto const axis = static_cast<std::size_t>(nodes_[number].axis);
-            below.upper[axis] = above.lower[axis] = search.to;
-            level.push_back(nodes_[number].half), level.push_back(nodes_[number].half + 1);
-            nodes_.push_back(below), nodes_.push_back(above);
-        }
+        level = halve({team, places, weights, node_of}, level);
         for (std::size_t i = 0; i < places.size(); ++i)
             if (Node const& node = nodes_[static_cast<std::size_t>(node_of[i])]; node.half >= 0)
                 node_of[i] = node.half + (along(places[i], node.axis) >= node.at);
@@ -79,80 +136,41 @@ void Bisection::cut(Team& team, std::span<Place const> places, std::span<double 
             box_of_rank_[static_cast<std::size_t>(nodes_[k].first_rank)] = static_cast<int>(k);
 }
 
-//! Sets the axes of nodes, and where to look for their cuts: everywhere where they have particles.
-std::vector<Bisection::Search> Bisection::begin_searches(Team& team, std::vector<int> const& nodes,
-                                                         std::span<Place const> places,
-                                                         std::span<int const> node_of)
+std::vector<int> Bisection::halve(Cutting const& cutting, std::vector<int> const& nodes)
 {
-    std::vector<int> search_of(nodes_.size(), -1);
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-        search_of[static_cast<std::size_t>(nodes[k])] = static_cast<int>(k);
-    // Of each node: largest coordinates, and the smallest ones with their sign changed.
-    std::vector<std::array<double, 6>> extents(nodes.size());
-    for (auto& extent : extents)
-        extent.fill(-1e300);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        int const k = search_of[static_cast<std::size_t>(node_of[i])];
-        if (k < 0)
-            continue;
-        auto& extent = extents[static_cast<std::size_t>(k)];
-        for (int axis = 0; axis < 3; ++axis) {
-            double const x = along(places[i], axis);
-            auto& upper = extent[static_cast<std::size_t>(axis)];
-            auto& lower = extent[static_cast<std::size_t>(axis) + 3];
-            upper = std::max(upper, x), lower = std::max(lower, -x);
-        }
-    }
-    team.largest(std::span(extents.empty() ? nullptr : extents[0].data(), 6 * extents.size()));
-    std::vector<Search> searches;
+    auto searches = begin_searches(cutting, nodes);
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-        auto& extent = extents[k];
-        if (extent[0] < -1e299) // nobody there
-            extent.fill(0);
-        std::size_t longest = 0;
-        for (std::size_t axis = 1; axis < 3; ++axis)
-            if (extent[axis] + extent[axis + 3] > extent[longest] + extent[longest + 3])
-                longest = axis;
-        nodes_[static_cast<std::size_t>(nodes[k])].axis = static_cast<int>(longest);
-        searches.push_back({nodes[k], -extent[longest + 3], extent[longest], 0, 0});
+        int const ranks = nodes_[static_cast<std::size_t>(nodes[k])].ranks;
+        searches[k].target = searches[k].weight * (ranks / 2) / ranks;
     }
-    return searches;
-}
-
-//! Finds the bins in which the cuts lie.
-void Bisection::narrow(Team& team, std::vector<Search>& searches, std::span<Place const> places,
-                       std::span<double const> weights, std::span<int const> node_of) const
-{
-    std::vector<int> search_of(nodes_.size(), -1);
-    for (std::size_t k = 0; k < searches.size(); ++k)
-        search_of[static_cast<std::size_t>(searches[k].node)] = static_cast<int>(k);
-    auto const border = [](Search const& s, int bin) { return s.from + (s.to - s.from) * bin / bins; };
-    std::vector<double> histogram(searches.size() * bins, 0.0);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        int const k = search_of[static_cast<std::size_t>(node_of[i])];
-        if (k < 0)
-            continue;
-        Search const& s = searches[static_cast<std::size_t>(k)];
-        double const x = along(places[i], nodes_[static_cast<std::size_t>(s.node)].axis);
-        if (x < s.from || x > s.to || s.to <= s.from)
-            continue;
-        int bin = std::min(static_cast<int>((x - s.from) / (s.to - s.from) * bins), bins - 1);
-        if (x < border(s, bin)) // rounding
-            --bin;
-        else if (bin + 1 < bins && x >= border(s, bin + 1))
-            ++bin;
-        histogram[static_cast<std::size_t>(k * bins + bin)] += weights[i];
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<double> histogram(searches.size() * bins, 0.0);
+        cutting.for_each_in(nodes, [&](std::size_t k, std::size_t i) {
+            Search const& search = searches[k];
+            double const x = along(cutting.places[i], search.axis);
+            if (x >= search.from && x <= search.to)
+                histogram[k * bins + static_cast<std::size_t>(search.bin_of(x))] += cutting.weights[i];
+        });
+        cutting.team.sum(histogram);
+        for (std::size_t k = 0; k < searches.size(); ++k)
+            searches[k].narrow(histogram.data() + k * bins);
     }
-    team.sum(histogram);
-    for (std::size_t k = 0; k < searches.size(); ++k) {
-        Search& s = searches[k];
-        double const* const weight_of = histogram.data() + k * bins;
-        int bin = 0;
-        while (bin + 1 < bins && s.weight_below + weight_of[bin] < s.target)
-            s.weight_below += weight_of[bin++];
-        double const from = border(s, bin), to = bin + 1 < bins ? border(s, bin + 1) : s.to;
-        s.from = from, s.to = to;
+    std::vector<int> halves;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        auto const half = static_cast<int>(nodes_.size());
+        Node& node = nodes_[static_cast<std::size_t>(nodes[k])];
+        node.axis = searches[k].axis, node.at = searches[k].to, node.half = half;
+        Node below = node, above = node;
+        below.half = above.half = -1;
+        below.ranks = node.ranks / 2;
+        above.ranks -= below.ranks;
+        above.first_rank += below.ranks;
+        auto const axis = static_cast<std::size_t>(node.axis);
+        below.upper[axis] = above.lower[axis] = node.at;
+        nodes_.push_back(below), nodes_.push_back(above);
+        halves.insert(halves.end(), {half, half + 1});
     }
+    return halves;
 }
 
 int Bisection::owner(Place const& place) const
@@ -167,8 +185,7 @@ int Bisection::owner(Place const& place) const
 
 bool Bisection::is_deep_inside(int rank, Place const& place, double distance) const
 {
-    Node const& box =
-        nodes_[static_cast<std::size_t>(box_of_rank_[static_cast<std::size_t>(rank)])];
+    Node const& box = nodes_[static_cast<std::size_t>(box_of_rank_[static_cast<std::size_t>(rank)])];
     return place.x - box.lower[0] >= distance && box.upper[0] - place.x >= distance &&
            place.y - box.lower[1] >= distance && box.upper[1] - place.y >= distance &&
            place.z - box.lower[2] >= distance && box.upper[2] - place.z >= distance;

@@ -61,6 +61,16 @@ void Decomposition::renumber(std::span<std::uint32_t const> new_numbers, Particl
     is_fresh_ = true;
 }
 
+void Decomposition::give_up(Particles& particles, std::vector<ContactList>& lists)
+{
+    remove_ghosts(particles);
+    for (ContactList& list : lists)
+        list.clear();
+    ghosts_ = {};
+    ghost_ids_.clear();
+    owned_ = particles.size();
+}
+
 void Decomposition::begin_exchange(Particles const& particles)
 {
     if (!is_fresh_)

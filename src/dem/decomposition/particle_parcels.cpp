@@ -29,7 +29,8 @@ std::size_t append_particles(ByteReader& in, Particles& particles, Loads loads)
     auto const count = static_cast<std::size_t>(in.get<std::uint64_t>());
     std::size_t const before = particles.size();
     particles.resize(before + count);
-    for_each_array(particles, loads, [&]<class T>(std::vector<T>& values) { in.get(values.data() + before, count); });
+    for_each_array(particles, loads,
+                   [&]<class T>(std::vector<T>& values) { in.get(values.data() + before, count); });
     return count;
 }
 

@@ -46,18 +46,10 @@ class Bisection
         double at = 0; //!< what is below it on the axis is in the first half
         int half = -1; //!< number of the first half's node, the other's is one more; -1: a rank's box
     };
-    //! What is found out about a node to cut it.
-    struct Search
-    {
-        int node;
-        double from, to;        //!< the cut is between them [m]
-        double weight_below, target; //!< weight below `from`, and below the cut
-    };
+    struct Cutting;
+    //! Halves nodes of which each has several ranks; returns the halves.
+    std::vector<int> halve(Cutting const& cutting, std::vector<int> const& nodes);
 
-    std::vector<Search> begin_searches(Team& team, std::vector<int> const& nodes,
-                                       std::span<Place const> places, std::span<int const> node_of);
-    void narrow(Team& team, std::vector<Search>& searches, std::span<Place const> places,
-                std::span<double const> weights, std::span<int const> node_of) const;
     double squared_distance(Node const& node, Point const& p) const;
 
     template <class Visit>
@@ -75,8 +67,8 @@ class Bisection
 
     int ranks_;
     std::array<Period, 3> periods_;
-    std::vector<Node> nodes_;       //!< the first one is all space
-    std::vector<int> box_of_rank_;  //!< node of each rank
+    std::vector<Node> nodes_;      //!< the first one is all space
+    std::vector<int> box_of_rank_; //!< node of each rank
 };
 
 } // namespace demens::dem

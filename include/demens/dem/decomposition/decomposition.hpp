@@ -26,10 +26,14 @@ class Decomposition
     void remove_ghosts(Particles& particles);
 
     //! Before neighbours are searched: gives the particles to their owners, with the histories of their
-    //! contacts, and every rank the ghosts within `reach` [m] beyond the particles' radii and the largest one.
+    //! contacts, and every rank the ghosts within `reach` [m] beyond the particles' radii and the largest
+    //! one.
     void distribute(Particles& particles, std::vector<ContactList>& lists, double reach);
     //! After it: the particles are in another order.
     void renumber(std::span<std::uint32_t const> new_numbers, Particles const& particles);
+
+    //! Instead of both, when particles are where they cannot be searched: nothing touches anything any more.
+    void give_up(Particles& particles, std::vector<ContactList>& lists);
 
     //! Between the two, contacts without ghosts can be computed.
     void begin_exchange(Particles const& particles);
