@@ -35,7 +35,7 @@ DrawdownSetup::DrawdownSetup(RunInput const& input)
     interval = o.number("series_interval_s");
     wedge_margin = o.number("line_margin");
     time_step = chosen_time_step(o, model, material, sizes.smallest());
-    skin = o.number("skin") * 0.5 * sizes.largest();
+    skin = o.number("skin") * 0.5 * sizes.mean_volume_diameter();
     double const filling = o.number("filling_friction");
     for (auto& pair : filling_model.pairs) {
         pair.static_friction = std::min(pair.static_friction, filling);
@@ -128,7 +128,7 @@ std::vector<OptionSpec> drawdown_options()
          .upper = 1.0},
         {.key = "skin",
          .default_value = 0.3,
-         .doc = "reach of the neighbour lists beyond contact over the largest radius [-]",
+         .doc = "reach of the neighbour lists beyond contact over the radius of mean volume [-]",
          .lower = 1e-3,
          .upper = 2.0},
     };

@@ -106,7 +106,7 @@ DrumSetup::DrumSetup(RunInput const& input) : model(input.model), sizes(size_dis
     prominence = o.number("avalanche_prominence") * gravity_radius();
     pixels = static_cast<int>(o.integer("image_pixels"));
     time_step = chosen_time_step(o, model, material, sizes.smallest());
-    skin = o.number("skin") * 0.5 * sizes.largest();
+    skin = o.number("skin") * 0.5 * sizes.mean_volume_diameter();
 }
 
 double DrumSetup::fall_time() const
@@ -175,7 +175,7 @@ std::vector<OptionSpec> drum_options()
          .upper = 8192},
         {.key = "skin",
          .default_value = 0.3,
-         .doc = "reach of the neighbour lists beyond contact over the largest radius [-]",
+         .doc = "reach of the neighbour lists beyond contact over the radius of mean volume [-]",
          .lower = 1e-3,
          .upper = 2.0},
     };

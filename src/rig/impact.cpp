@@ -59,7 +59,8 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
     double const normal = speed * std::cos(angle), tangential = speed * std::sin(angle);
     double const dt = time_step(input);
     dem::Simulation simulation(
-        input.model, with_energy_options({.time_step = dt, .gravity = {}, .skin = 0.1 * radius, .team = hooks.team}, o));
+        input.model,
+        with_energy_options({.time_step = dt, .gravity = {}, .skin = 0.1 * radius, .team = hooks.team}, o));
     simulation.add_particle({0, 0, radius * (1 + 1e-12)}, radius,
                             material_index(input.model, o.text("material")), {tangential, 0, -normal},
                             {0, -o.number("spin_rad_s"), 0});

@@ -79,6 +79,11 @@ double SizeDistribution::spheres_per_volume() const
     return 6 / std::numbers::pi * sum;
 }
 
+double SizeDistribution::mean_volume_diameter() const
+{
+    return std::cbrt(6 / (std::numbers::pi * spheres_per_volume()));
+}
+
 SizeDistribution SizeDistribution::scaled(double factor) const
 {
     auto diameters = diameters_;

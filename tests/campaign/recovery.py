@@ -15,7 +15,8 @@ except ImportError:
     sys.exit(77)
 
 demens, mpirun, template = sys.argv[1:4]
-truth = {"FRICTION": 0.45, "ROLLING": 0.08}
+# A friction at which the responses still depend on it: beyond 0.4 they hardly do, less than one packing scatters.
+truth = {"FRICTION": 0.25, "ROLLING": 0.08}
 names = ["ANGLE_OF_REPOSE", "SHEAR_ANGLE", "MASS_FLOW", "FINAL_MASS"]
 environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none")

@@ -111,6 +111,27 @@ void expect_the_same(dem::Simulation& alone, dem::Simulation& shared, int rounds
     }
 }
 
+//! A few spheres ten times as large, which no cell fits, sink among many that fall with them.
+TEST(Bed, LargeSpheresAmongSmallOnesBeginAsWithOneRank)
+{
+    auto const mixed = [](dem::Team* team) {
+        dem::Simulation simulation(springs(1e7),
+                                   {.time_step = time_step, .skin = 0.5 * radius, .team = team});
+        RandomStream random(5);
+        for (double const x : {-0.05, 0.0, 0.05})
+            simulation.add_particle({x, 0.01 * random.uniform(-1, 1), 0.047}, 10 * radius, 0, {0, 0, -1});
+        for (int k = 0; k < 1500; ++k) // a lattice above the floor, with room for the large ones
+            simulation.add_particle({0.0062 * (k % 25 - 12), 0.0062 * (k / 25 % 15 - 7),
+                                     0.003 + 0.0062 * (k / 375) + 1e-4 * random.uniform(-1, 1)},
+                                    random.uniform(1, 1.5) * radius, 0);
+        add_floor(simulation);
+        return simulation;
+    };
+    auto alone = mixed(nullptr), shared = mixed(&team());
+    expect_the_same(alone, shared, 6, 100);
+    EXPECT_GT(shared.particle_contacts(), 100u);
+}
+
 TEST(Bed, BeginsAsWithOneRank)
 {
     auto alone = box(nullptr, 400, 0.03), shared = box(&team(), 400, 0.03);

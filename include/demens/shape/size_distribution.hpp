@@ -26,6 +26,8 @@ class SizeDistribution
 
     //! Expected number of spheres in a unit of solid volume [1/m^3].
     double spheres_per_volume() const;
+    //! Diameter of a sphere of the mean volume [m].
+    double mean_volume_diameter() const;
     //! The distribution with all diameters times a factor.
     SizeDistribution scaled(double factor) const;
 

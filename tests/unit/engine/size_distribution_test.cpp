@@ -58,6 +58,13 @@ TEST(SizeDistribution, CountsItsSpheres)
     EXPECT_DOUBLE_EQ(sizes.scaled(2).spheres_per_volume(), sizes.spheres_per_volume() / 8);
 }
 
+TEST(SizeDistribution, MeanVolumeOfTwoSizes)
+{
+    // Equal masses of diameters 1 and 2: eight small spheres to each large one.
+    auto const sizes = SizeDistribution::from_classes({1, 2}, {0.5, 0.5});
+    EXPECT_NEAR(sizes.mean_volume_diameter(), std::cbrt((8 * 1.0 + 1 * 8.0) / 9), 1e-12);
+}
+
 TEST(SizeDistribution, SameSeedSameSampleOtherSeedOtherOrder)
 {
     SizeDistribution const sizes({0.010, 0.020}, {0, 1});
