@@ -22,10 +22,20 @@ void in_parts(Data* data, std::size_t bytes, Transfer&& transfer)
         transfer(data + at, static_cast<int>(std::min(largest_part, bytes - at)));
 }
 
+bool is_on_one_machine(MPI_Comm communicator)
+{
+    MPI_Comm here;
+    MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+    bool const all = size_of(here) == size_of(communicator);
+    MPI_Comm_free(&here);
+    return all;
+}
+
 } // namespace
 
-MpiTeam::MpiTeam(MPI_Comm communicator)
-    : communicator_(communicator), rank_(rank_of(communicator)), size_(size_of(communicator))
+MpiTeam::MpiTeam(MPI_Comm communicator, Overlap overlap)
+    : communicator_(communicator), rank_(rank_of(communicator)), size_(size_of(communicator)),
+      overlaps_(overlap == Overlap::always || !is_on_one_machine(communicator))
 {
 }
 
@@ -102,11 +112,14 @@ void MpiTeam::begin(std::span<Link const> links, double const* out, double* in)
         if (link.out_count > 0)
             MPI_Isend(out + link.out_begin, static_cast<int>(link.out_count), MPI_DOUBLE, link.rank,
                       ghost_tag, communicator_, &requests_.emplace_back());
+    if (!overlaps_)
+        finish();
 }
 
 void MpiTeam::finish()
 {
     MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+    requests_.clear();
 }
 
 } // namespace demens::ensemble

@@ -6,12 +6,20 @@
 
 namespace demens::ensemble {
 
+//! When the ghosts of a step travel while forces are computed. Within one machine the processor copies them
+//! anyway, and ranks that meet once more in the middle of a step lose more than they hide.
+enum class Overlap
+{
+    across_machines,
+    always
+};
+
 //! The ranks of a communicator as the team of a simulation. The communicator must outlive it and serve
 //! nothing else meanwhile.
 class MpiTeam : public dem::Team
 {
   public:
-    explicit MpiTeam(MPI_Comm communicator);
+    explicit MpiTeam(MPI_Comm communicator, Overlap overlap = Overlap::across_machines);
 
     int rank() const override { return rank_; }
     int size() const override { return size_; }
@@ -26,6 +34,7 @@ class MpiTeam : public dem::Team
   private:
     MPI_Comm communicator_;
     int rank_, size_;
+    bool overlaps_;
     std::vector<MPI_Request> requests_; //!< of the exchange that has begun
 };
 

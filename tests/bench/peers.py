@@ -2,8 +2,9 @@
 """Times this engine and its peers side by side on the same states; writes a table.
 
 Every code starts from the same particles (position, velocity, spin), with the same law, time step and neighbour
-skin, on one core. The codes take turns; the table gives the median of the rounds. Peers that are not installed
-(Debian packages liggghts and lammps) are left out.
+skin, on one core. The codes take turns; the table gives the median of the rounds, and the most memory that a run
+had, input and all, over the number of particles. Peers that are not installed (Debian packages liggghts and lammps)
+are left out.
 
     tests/bench/peers.py --build build/release --spheres 20000 --rounds 5
 """
@@ -16,6 +17,7 @@ import re
 import shutil
 import statistics
 import subprocess
+import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 CASES = [("box", "none"), ("box", "epsd2"), ("drum", "none"), ("drum", "epsd2")]
@@ -23,11 +25,17 @@ FRACTION = re.compile(r"Loop time of ([0-9.eE+-]+)")
 
 
 def run(command, folder):
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True,
-                          env={**os.environ, "OMP_NUM_THREADS": "1"})
-    if done.returncode != 0:
-        raise RuntimeError(f"{' '.join(map(str, command))} failed:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
-    return done.stdout
+    """What the command prints, and the most memory it had [bytes]."""
+    with tempfile.TemporaryFile("w+") as out, tempfile.TemporaryFile("w+") as errors:
+        child = subprocess.Popen([str(word) for word in command], cwd=folder, stdout=out, stderr=errors,
+                                 env={**os.environ, "OMP_NUM_THREADS": "1"})
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        out.seek(0), errors.seek(0)
+        text = out.read()
+        if child.returncode != 0:
+            raise RuntimeError(f"{' '.join(map(str, command))} failed:\n{text[-2000:]}{errors.read()[-2000:]}")
+    return text, 1024 * usage.ru_maxrss
 
 
 def header(state):
@@ -37,10 +45,10 @@ def header(state):
 
 
 def demens(options, state, rolling):
-    out = run([options.engine, "run", state, "--rolling", rolling, "--warm-up", str(options.warm_up), "--steps",
-               str(options.steps)], state)
+    out, memory = run([options.engine, "run", state, "--rolling", rolling, "--warm-up", str(options.warm_up),
+                       "--steps", str(options.steps)], state)
     result = json.loads(out)
-    return result["seconds"], result["coordination"]
+    return result["seconds"], result["coordination"], memory
 
 
 def deck(program, options, state, rolling):
@@ -58,9 +66,9 @@ def deck(program, options, state, rolling):
     command = [program, "-in", script, "-log", "none"]
     for key, value in variables.items():
         command += ["-var", key, str(value) if str(value) else " "]
-    out = run(command, state)
+    out, memory = run(command, state)
     coordination = float(out[:out.rindex("Loop time")].strip().splitlines()[-1].split()[1])
-    return float(FRACTION.findall(out)[-1]), coordination
+    return float(FRACTION.findall(out)[-1]), coordination, memory
 
 
 def main():
@@ -81,24 +89,24 @@ def main():
             codes["lammps" if program == "lmp" else program] = (
                 lambda o, s, r, path=path: deck(path, o, s, r))
 
-    print("| case | code | million particle-steps/s | coordination | demens is faster by |")
-    print("|---|---|---|---|---|")
+    print("| case | code | million particle-steps/s | coordination | bytes per particle | demens is faster by |")
+    print("|---|---|---|---|---|---|")
     for kind, rolling in CASES:
         state = (pathlib.Path(options.states) / f"{kind}-{options.spheres}").resolve()
         if not (state / "state.txt").exists():
             run([options.engine, "prepare", state, "--kind", kind, "--spheres", str(options.spheres)], ".")
-        seconds, coordination = {}, {}
+        seconds, coordination, memory = {}, {}, {}
         for _ in range(options.rounds):
             for code, time in codes.items():
                 measured = time(options, state, rolling)
                 if measured:
                     seconds.setdefault(code, []).append(measured[0])
-                    coordination[code] = measured[1]
+                    coordination[code], memory[code] = measured[1:]
         for code, times in seconds.items():
             speed = options.spheres * options.steps / statistics.median(times) * 1e-6
             ratio = statistics.median(t / d for t, d in zip(times, seconds["demens"]))
-            print(f"| {kind}, rolling {rolling} | {code} | {speed:.2f} | {coordination[code]:.2f} | {ratio:.2f} |",
-                  flush=True)
+            print(f"| {kind}, rolling {rolling} | {code} | {speed:.2f} | {coordination[code]:.2f} | "
+                  f"{memory[code] / options.spheres:.0f} | {ratio:.2f} |", flush=True)
 
 
 if __name__ == "__main__":

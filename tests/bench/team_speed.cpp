@@ -186,7 +186,7 @@ int main(int argc, char** argv)
     int code = 0;
     try {
         program.parse(argc, argv);
-        ensemble::MpiTeam ranks(MPI_COMM_WORLD);
+        ensemble::MpiTeam ranks(MPI_COMM_WORLD, ensemble::Overlap::always);
         TimedTeam team(ranks, no_overlap ? Overlap::off : Overlap::on);
         auto const state = bench::read_state(std::filesystem::path(folder) / "state.txt");
         auto const simulation =

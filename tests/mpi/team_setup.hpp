@@ -10,7 +10,7 @@ namespace demens::test {
 //! All ranks of the test as one team.
 inline dem::Team& team()
 {
-    static ensemble::MpiTeam team(MPI_COMM_WORLD);
+    static ensemble::MpiTeam team(MPI_COMM_WORLD, ensemble::Overlap::always);
     return team;
 }
 
