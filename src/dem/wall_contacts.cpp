@@ -39,12 +39,6 @@ struct SlotSorter
     }
 };
 
-//! Slots [from, to) are of one wall.
-struct Slots
-{
-    std::size_t from, to;
-};
-
 template <class Shape>
 void test_slots(Shape const& shape, SlotSorter& sort, Slots slots)
 {

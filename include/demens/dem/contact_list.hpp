@@ -33,6 +33,12 @@ struct MeshPatch
     Vector3 seen_at = {};     //!< where it was when it was looked at last, in the mesh's coordinates [m]
 };
 
+//! Slots [from, to) of a contact list.
+struct Slots
+{
+    std::size_t from, to;
+};
+
 //! Two particles that may touch before the next rebuild.
 struct CandidatePair
 {

@@ -10,12 +10,6 @@
 
 namespace demens::dem {
 
-//! Slots [from, to) of a list.
-struct Slots
-{
-    std::size_t from, to;
-};
-
 //! Compacts the slots of contacts that touch or are within the laws' range, and of those that were in the
 //! step before and no longer are. Returns both counts.
 std::pair<std::size_t, std::size_t> test_pairs(ContactList& list, Slots slots, Particles const& particles,
