@@ -1,8 +1,13 @@
-# Debian packages: libopenmpi-dev libhdf5-openmpi-dev libpetsc-real-dev libeigen3-dev libtomlplusplus-dev
-# libnlopt-cxx-dev libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev
-find_package(PkgConfig REQUIRED)
+# What must be installed; cmake/debian-packages.txt has the packages of Debian.
 find_package(fmt REQUIRED)
-find_package(CLI11 REQUIRED)
+if(DEMENS_BENCHMARKS OR NOT DEMENS_ENGINE_ONLY)
+  find_package(CLI11 REQUIRED)
+endif()
+if(DEMENS_ENGINE_ONLY)
+  return()
+endif()
+
+find_package(PkgConfig REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C)

@@ -39,7 +39,8 @@ Analysis::Analysis(ensemble::Campaign const& campaign)
 
 ensemble::NamedArray const* Analysis::find(std::string const& path) const
 {
-    if (!wave_) return nullptr;
+    if (!wave_)
+        return nullptr;
     auto const found = std::ranges::find(wave_->analysis, path, &ensemble::NamedArray::path);
     return found == wave_->analysis.end() ? nullptr : &*found;
 }
@@ -47,7 +48,8 @@ ensemble::NamedArray const* Analysis::find(std::string const& path) const
 json Analysis::values(std::string const& path) const
 {
     auto const* array = find(path);
-    if (!array || array->shape.empty()) return nullptr;
+    if (!array || array->shape.empty())
+        return nullptr;
     std::size_t next = 0;
     return nested(*array, 0, next);
 }
@@ -60,7 +62,8 @@ double Analysis::scalar(std::string const& path) const
 
 json optimum_of(Analysis const& analysis)
 {
-    if (!analysis.has_best()) return nullptr;
+    if (!analysis.has_best())
+        return nullptr;
     return {
         {"wave", analysis.wave()},
         {"point", analysis.values("optimum/best_point")},
@@ -86,7 +89,8 @@ json optimum_of(Analysis const& analysis)
 
 json findings_of(Analysis const& analysis)
 {
-    if (!analysis.find("region/share")) return nullptr;
+    if (!analysis.find("region/share"))
+        return nullptr;
     return {
         {"by_tolerance", analysis.scalar("region/by_tolerance") == 1},
         {"share", analysis.scalar("region/share")},
@@ -102,7 +106,8 @@ json findings_of(Analysis const& analysis)
 
 json screening_of(Analysis const& analysis)
 {
-    if (!analysis.find("screening/active")) return nullptr;
+    if (!analysis.find("screening/active"))
+        return nullptr;
     return {
         {"active", analysis.values("screening/active")},
         {"fixed_value", analysis.values("screening/fixed_value")},
@@ -115,7 +120,8 @@ json screening_of(Analysis const& analysis)
 
 json surrogate_of(Analysis const& analysis)
 {
-    if (!analysis.find("surrogate/slices")) return nullptr;
+    if (!analysis.find("surrogate/slices"))
+        return nullptr;
     return {
         {"locations", analysis.scalar("surrogate/locations")},
         {"kind", analysis.values("surrogate/kind")},

@@ -4,7 +4,6 @@
 #include "report/analysis.hpp"
 #include "report/picture.hpp"
 
-
 namespace demens::report {
 
 using nlohmann::json;
@@ -26,7 +25,8 @@ json factors_of(ensemble::CampaignInput const& input)
 json constraints_of(ensemble::CampaignInput const& input)
 {
     json list = json::array();
-    for (auto const& constraint : input.constraints) list.push_back(constraint.text);
+    for (auto const& constraint : input.constraints)
+        list.push_back(constraint.text);
     return list;
 }
 
@@ -65,9 +65,12 @@ json targets_of(ensemble::CampaignInput const& input)
 char const* outcome_of(rig::RunStatus status)
 {
     switch (status) {
-    case rig::RunStatus::not_run: return "waiting";
-    case rig::RunStatus::finished: return "finished";
-    default: return "failed";
+    case rig::RunStatus::not_run:
+        return "waiting";
+    case rig::RunStatus::finished:
+        return "finished";
+    default:
+        return "failed";
     }
 }
 
@@ -96,7 +99,8 @@ json waves_of(ensemble::Campaign const& campaign)
     json list = json::array();
     for (auto const& wave : campaign.waves) {
         json runs = json::array();
-        for (auto const& run : wave.runs) runs.push_back(run_of(run));
+        for (auto const& run : wave.runs)
+            runs.push_back(run_of(run));
         list.push_back({{"number", wave.number},
                         {"purpose", wave.purpose},
                         {"wall_time", wave.wall_time},
@@ -106,28 +110,33 @@ json waves_of(ensemble::Campaign const& campaign)
     return list;
 }
 
-//! The run to show for an experiment: a finished one at the best location, else the last finished one; null: none.
+//! The run to show for an experiment: a finished one at the best location, else the last finished one; null:
+//! none.
 ensemble::RunRecord const* shown_run(ensemble::Campaign const& campaign, int experiment,
                                      ensemble::NamedArray const* best_point)
 {
     ensemble::RunRecord const* last = nullptr;
     for (auto const& wave : campaign.waves) {
         for (auto const& run : wave.runs) {
-            if (run.experiment != experiment || run.status != rig::RunStatus::finished) continue;
-            if (best_point && run.factors == best_point->data) return &run;
+            if (run.experiment != experiment || run.status != rig::RunStatus::finished)
+                continue;
+            if (best_point && run.factors == best_point->data)
+                return &run;
             last = &run;
         }
     }
     return last;
 }
 
-json details_of_shown_runs(ensemble::Campaign const& campaign, Analysis const& analysis, DetailsOf const& details_of)
+json details_of_shown_runs(ensemble::Campaign const& campaign, Analysis const& analysis,
+                           DetailsOf const& details_of)
 {
     json list = json::array();
     auto const* best_point = analysis.find("optimum/best_point");
     for (std::size_t e = 0; e < campaign.input.experiments.size(); ++e) {
         auto const* run = shown_run(campaign, static_cast<int>(e), best_point);
-        if (!run) continue;
+        if (!run)
+            continue;
         json entry = {{"experiment", e},
                       {"run", run->run},
                       {"is_best", best_point && run->factors == best_point->data},
@@ -151,24 +160,25 @@ json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of
 {
     auto const& input = campaign.input;
     Analysis const analysis(campaign);
-    return {{"name", input.name},
-            {"seed", input.seed},
-            {"ended", campaign.ended},
-            {"objective", input.objective.kind},
-            {"stop", {{"wmse", input.stop.wmse}, {"runs", input.stop.runs}, {"waves", input.stop.waves}}},
-            {"factors", factors_of(input)},
-            {"constraints", constraints_of(input)},
-            {"experiments", experiments_of(input)},
-            {"targets", targets_of(input)},
-            {"waves", waves_of(campaign)},
-            {"history",
-             {{"wmse", analysis.values("history/wmse")}, {"point_wmse", analysis.values("history/point_wmse")}}},
-            {"optimum", optimum_of(analysis)},
-            {"surrogate", surrogate_of(analysis)},
-            {"findings", findings_of(analysis)},
-            {"screening", screening_of(analysis)},
-            {"details", details_of_shown_runs(campaign, analysis, details_of)},
-            {"input", {{"text", input.text()}, {"resolved", input.resolved_text()}}}};
+    return {
+        {"name", input.name},
+        {"seed", input.seed},
+        {"ended", campaign.ended},
+        {"objective", input.objective.kind},
+        {"stop", {{"wmse", input.stop.wmse}, {"runs", input.stop.runs}, {"waves", input.stop.waves}}},
+        {"factors", factors_of(input)},
+        {"constraints", constraints_of(input)},
+        {"experiments", experiments_of(input)},
+        {"targets", targets_of(input)},
+        {"waves", waves_of(campaign)},
+        {"history",
+         {{"wmse", analysis.values("history/wmse")}, {"point_wmse", analysis.values("history/point_wmse")}}},
+        {"optimum", optimum_of(analysis)},
+        {"surrogate", surrogate_of(analysis)},
+        {"findings", findings_of(analysis)},
+        {"screening", screening_of(analysis)},
+        {"details", details_of_shown_runs(campaign, analysis, details_of)},
+        {"input", {{"text", input.text()}, {"resolved", input.resolved_text()}}}};
 }
 
 } // namespace demens::report

@@ -5,7 +5,8 @@
 
 namespace demens::report {
 
-//! report/page with style, scripts and Vega in their places; made by embed_page.cmake when the project is built.
+//! report/page with style, scripts and Vega in their places; made by embed_page.cmake when the project is
+//! built.
 extern std::string_view const page_template;
 
 namespace {
@@ -15,10 +16,17 @@ std::string escape_html(std::string const& text)
     std::string escaped;
     for (char c : text) {
         switch (c) {
-        case '&': escaped += "&amp;"; break;
-        case '<': escaped += "&lt;"; break;
-        case '>': escaped += "&gt;"; break;
-        default: escaped += c;
+        case '&':
+            escaped += "&amp;";
+            break;
+        case '<':
+            escaped += "&lt;";
+            break;
+        case '>':
+            escaped += "&gt;";
+            break;
+        default:
+            escaped += c;
         }
     }
     return escaped;
@@ -31,8 +39,10 @@ std::string embeddable(nlohmann::json const& document)
     std::string safe;
     safe.reserve(plain.size());
     for (char c : plain) {
-        if (c == '<') safe += "\\u003c";
-        else safe += c;
+        if (c == '<')
+            safe += "\\u003c";
+        else
+            safe += c;
     }
     return safe;
 }

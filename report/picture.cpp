@@ -40,7 +40,8 @@ struct Frame
             include_particles(along[1], snapshot.y, snapshot.radius);
             include_particles(along[2], snapshot.z, snapshot.radius);
         }
-        if (along[0].width() > 0) return;
+        if (along[0].width() > 0)
+            return;
         for (auto const& snapshot : snapshots)
             for (auto const* outlines : {&snapshot.walls, &snapshot.wall_lines})
                 for (auto const& outline : *outlines)
@@ -66,10 +67,12 @@ struct Frame
     }
 
   private:
-    static void include_particles(Range& range, std::vector<double> const& centres, std::vector<double> const& radius)
+    static void include_particles(Range& range, std::vector<double> const& centres,
+                                  std::vector<double> const& radius)
     {
         for (std::size_t i = 0; i < centres.size(); ++i)
-            if (std::isfinite(centres[i])) range.include(centres[i], radius[i]);
+            if (std::isfinite(centres[i]))
+                range.include(centres[i], radius[i]);
     }
 };
 
@@ -84,16 +87,19 @@ std::vector<std::size_t> drawing_order(rig::Snapshot const& snapshot, std::vecto
     return order;
 }
 
-//! Place of each particle in the height of the first snapshot, 0 at its bottom to 100 at its top; empty where the
-//! snapshots are not of the same particles.
+//! Place of each particle in the height of the first snapshot, 0 at its bottom to 100 at its top; empty where
+//! the snapshots are not of the same particles.
 std::vector<long> layers_of(rig::Snapshot const& first, rig::Snapshot const& snapshot)
 {
     std::vector<long> layers;
     Range height;
     for (double z : first.z)
-        if (std::isfinite(z)) height.include(z);
-    if (first.radius != snapshot.radius || height.width() == 0) return layers;
-    for (double z : first.z) layers.push_back(std::lround(100 * (z - height.lower) / height.width()));
+        if (std::isfinite(z))
+            height.include(z);
+    if (first.radius != snapshot.radius || height.width() == 0)
+        return layers;
+    for (double z : first.z)
+        layers.push_back(std::lround(100 * (z - height.lower) / height.width()));
     return layers;
 }
 
@@ -117,18 +123,21 @@ json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame
         v.push_back(quanta(snapshot.z[i] - vertical.lower));
         r.push_back(quanta(snapshot.radius[i]));
         d.push_back(into.width() > 0 ? std::lround(100 * (depth[i] - into.lower) / into.width()) : 0);
-        if (!layers.empty()) layer.push_back(layers[i]);
+        if (!layers.empty())
+            layer.push_back(layers[i]);
     }
 
     json walls = json::array();
     for (auto const& wall : snapshot.walls)
         walls.push_back({quanta(wall[frame.across()] - horizontal.lower), quanta(wall[2] - vertical.lower),
-                         quanta(wall[frame.across() + 3] - horizontal.lower), quanta(wall[5] - vertical.lower)});
+                         quanta(wall[frame.across() + 3] - horizontal.lower),
+                         quanta(wall[5] - vertical.lower)});
 
     json lines = json::array();
     for (auto const& line : snapshot.wall_lines)
         lines.push_back({quanta(line[frame.across()] - horizontal.lower), quanta(line[2] - vertical.lower),
-                         quanta(line[frame.across() + 3] - horizontal.lower), quanta(line[5] - vertical.lower)});
+                         quanta(line[frame.across() + 3] - horizontal.lower),
+                         quanta(line[5] - vertical.lower)});
 
     return {{"name", snapshot.name},
             {"time", snapshot.time},
@@ -148,7 +157,8 @@ json pictures_of(std::vector<rig::Snapshot> const& snapshots)
 {
     Frame const frame(snapshots);
     json pictures = json::array();
-    for (auto const& snapshot : snapshots) pictures.push_back(picture_of(snapshot, snapshots.front(), frame));
+    for (auto const& snapshot : snapshots)
+        pictures.push_back(picture_of(snapshot, snapshots.front(), frame));
     return pictures;
 }
 
@@ -159,7 +169,8 @@ json series_of(rig::Series const& series)
         auto const& column = series.columns[c];
         std::size_t const stride = std::max<std::size_t>(1, column.size() / longest_series);
         json values = json::array();
-        for (std::size_t i = 0; i < column.size(); i += stride) values.push_back(column[i]);
+        for (std::size_t i = 0; i < column.size(); i += stride)
+            values.push_back(column[i]);
         columns.push_back({{"name", series.names.at(c)}, {"units", series.units.at(c)}, {"values", values}});
     }
     return columns;

@@ -7,8 +7,9 @@
 
 namespace demens::report {
 
-//! Views of the particles from the front, all with one frame: the vertical is z, the horizontal the wider of x and y.
-//! Lengths are whole multiples of `quantum` [m] from `origin`; particles are ordered from the back to the front.
+//! Views of the particles from the front, all with one frame: the vertical is z, the horizontal the wider of
+//! x and y. Lengths are whole multiples of `quantum` [m] from `origin`; particles are ordered from the back
+//! to the front.
 nlohmann::json pictures_of(std::vector<rig::Snapshot> const& snapshots);
 //! Columns over time, thinned to what a plot can show.
 nlohmann::json series_of(rig::Series const& series);

@@ -25,15 +25,16 @@ void write_whole(std::filesystem::path const& file, std::string const& text)
     out.close();
     std::error_code rename_error;
     int const write_error = out ? 0 : errno;
-    if (out) std::filesystem::rename(part, file, rename_error);
+    if (out)
+        std::filesystem::rename(part, file, rename_error);
     if (write_error != 0 || !out || rename_error) {
         std::error_code ignored;
         std::filesystem::remove(part, ignored);
-        throw InputError(fmt::format("{}: the report cannot be written ({}); give a place that exists, is writable "
-                                     "and has {:.1f} MB free",
-                                     file.string(),
-                                     rename_error ? rename_error.message() : std::strerror(write_error),
-                                     static_cast<double>(text.size()) * 1e-6));
+        throw InputError(
+            fmt::format("{}: the report cannot be written ({}); give a place that exists, is writable "
+                        "and has {:.1f} MB free",
+                        file.string(), rename_error ? rename_error.message() : std::strerror(write_error),
+                        static_cast<double>(text.size()) * 1e-6));
     }
 }
 

@@ -40,9 +40,10 @@ Objective::Kind Objective::kind_of(std::string const& word)
         return Kind::root_sum_of_squares;
     if (word == "relative_deviations")
         return Kind::relative_deviations;
-    throw InputError(fmt::format("[objective] kind = \"{}\" is not known; known are wmse, weighted_least_squares, "
-                                 "root_sum_of_squares, relative_deviations",
-                                 word));
+    throw InputError(
+        fmt::format("[objective] kind = \"{}\" is not known; known are wmse, weighted_least_squares, "
+                    "root_sum_of_squares, relative_deviations",
+                    word));
 }
 
 Objective::Objective(std::vector<CampaignTarget> targets, ensemble::ObjectiveOptions const& options)
@@ -93,8 +94,8 @@ double Objective::value(VectorXd const& responses) const
     return 0;
 }
 
-//! The size |d| of a relative deviation is the square of a residual that is rounded off near 0, r^2 = sqrt(d^2 +
-//! e^2) - e, and has the sign of d.
+//! The size |d| of a relative deviation is the square of a residual that is rounded off near 0, r^2 =
+//! sqrt(d^2 + e^2) - e, and has the sign of d.
 VectorXd Objective::search_residuals(VectorXd const& responses) const
 {
     VectorXd result = deviations(responses);

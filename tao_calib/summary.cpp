@@ -124,7 +124,8 @@ void add_findings(std::string& out, Campaign const& campaign, Wave const& wave)
             if (response[2 * i] < 0)
                 fmt::format_to(to, "no response that is simulated would separate them\n");
             else {
-                auto const& experiment = campaign.input.experiments[static_cast<std::size_t>(response[2 * i])];
+                auto const& experiment =
+                    campaign.input.experiments[static_cast<std::size_t>(response[2 * i])];
                 auto const& what = experiment.responses[static_cast<std::size_t>(response[2 * i + 1])];
                 fmt::format_to(to, "measuring {}.{} would take away {:.0f} % of that\n", experiment.name,
                                what.name, 100 * removed[i]);
@@ -140,7 +141,8 @@ void add_findings(std::string& out, Campaign const& campaign, Wave const& wave)
     if (auto const* distances = find(wave, "optimum/out_of_reach")) {
         for (std::size_t t = 0; t < distances->size(); ++t)
             if ((*distances)[t] != 0)
-                fmt::format_to(to, "  warning: no run reached the target of {}: it is {} all of them by {:.3g}\n",
+                fmt::format_to(to,
+                               "  warning: no run reached the target of {}: it is {} all of them by {:.3g}\n",
                                objective.targets()[t].name, (*distances)[t] > 0 ? "above" : "below",
                                std::abs((*distances)[t]));
     }

@@ -36,7 +36,8 @@ FactorSpace free_space(std::vector<Factor> const& factors,
         ensemble::LinearConstraint rest{constraint.text, {}, constraint.bound};
         bool binds = false;
         for (std::size_t k = 0; k < factors.size(); ++k) {
-            double const value = fixed[static_cast<Eigen::Index>(k)], coefficient = constraint.coefficients[k];
+            double const value = fixed[static_cast<Eigen::Index>(k)],
+                         coefficient = constraint.coefficients[k];
             if (std::isnan(value)) {
                 rest.coefficients.push_back(coefficient);
                 binds = binds || coefficient != 0;

@@ -55,7 +55,7 @@ class UnitCube
     std::vector<ensemble::LinearConstraint> constraints_;
     Eigen::VectorXd fixed_; //!< [k] own units, NaN for free factors
     std::vector<int> free_;
-    FactorSpace space_; //!< of the free factors
+    FactorSpace space_;      //!< of the free factors
     Eigen::VectorXd inside_; //!< shares of the ranges at a point well inside the feasible region
 };
 

@@ -133,8 +133,8 @@ void write_details(RowWriter const& writer, int wave, std::vector<RunRecord> con
     writer.write(base + "particles", particles,
                  {{"m"}, {"x", "y", "z", "radius"}, "particles of all snapshots"}, 4);
     writer.write(base + "walls", walls, {{"m"}, {"x0", "y0", "z0", "x1", "y1", "z1"}, "wall outlines"}, 6);
-    writer.write(base + "lines", lines, {{"m"}, {"x0", "y0", "z0", "x1", "y1", "z1"}, "rims and creases of walls"},
-                 6);
+    writer.write(base + "lines", lines,
+                 {{"m"}, {"x0", "y0", "z0", "x1", "y1", "z1"}, "rims and creases of walls"}, 6);
     writer.write(base + "run", run, number("run, one entry per snapshot"));
     writer.write_texts(base + "name", name, "landmark, one entry per snapshot");
     writer.write(base + "time", time, {{"s"}, {}, "simulated time, one entry per snapshot"});

@@ -30,8 +30,7 @@ CampaignInput CampaignInput::from_file(std::filesystem::path const& file,
 }
 
 CampaignInput CampaignInput::from_text(std::string const& toml, std::string const& origin,
-                                       std::vector<rig::RigInfo> const& rigs,
-                                       input::FileSource const& files)
+                                       std::vector<rig::RigInfo> const& rigs, input::FileSource const& files)
 {
     auto const parsed = input::parse_toml(toml, origin);
     input::InputTable const file(parsed, "", origin);

@@ -13,12 +13,12 @@ namespace demens::ensemble {
 //! A measured value to be met by one response of one experiment.
 struct Target
 {
-    std::string response; //!< name of a response of the experiment's rig
-    int response_index;   //!< its place in Experiment::responses
-    double value;         //!< in the unit the name carries
-    double scale;         //!< the deviation that counts as one, same unit, > 0
-    double sd;            //!< standard deviation of the measurement; NaN: not given
-    double tolerance;     //!< deviation that is good enough; NaN: not given
+    std::string response;           //!< name of a response of the experiment's rig
+    int response_index;             //!< its place in Experiment::responses
+    double value;                   //!< in the unit the name carries
+    double scale;                   //!< the deviation that counts as one, same unit, > 0
+    double sd;                      //!< standard deviation of the measurement; NaN: not given
+    double tolerance;               //!< deviation that is good enough; NaN: not given
     std::string transform = "none"; //!< in which the response is fitted: none, log, logit, asinh
     double lower = std::numeric_limits<double>::quiet_NaN(); //!< range of the response, for logit
     double upper = std::numeric_limits<double>::quiet_NaN();
@@ -29,7 +29,7 @@ struct Experiment
 {
     std::string name;
     rig::RigInfo const* rig;
-    int replicates = 1; //!< runs per design point, each with its own packing seed
+    int replicates = 1;                       //!< runs per design point, each with its own packing seed
     std::vector<rig::ResponseInfo> responses; //!< what it measures
     std::vector<Target> targets;
 };
@@ -72,9 +72,9 @@ struct DesignOptions
 //! A wave before the design that finds out which factors act.
 struct ScreeningOptions
 {
-    int points = 0;             //!< of a two-level fraction over all factors; 0: no screening
-    int centre_repetitions = 1; //!< points at the centre
-    double significance = 0.05; //!< a factor with a p value up to this in some target is active
+    int points = 0;                      //!< of a two-level fraction over all factors; 0: no screening
+    int centre_repetitions = 1;          //!< points at the centre
+    double significance = 0.05;          //!< a factor with a p value up to this in some target is active
     std::vector<std::string> generators; //!< e.g. "E=ABC"; empty: chosen
 };
 
@@ -88,8 +88,7 @@ struct TargetCombination
 
 struct ObjectiveOptions
 {
-    std::string kind =
-        "wmse"; //!< wmse, weighted_least_squares, root_sum_of_squares, relative_deviations
+    std::string kind = "wmse"; //!< wmse, weighted_least_squares, root_sum_of_squares, relative_deviations
     std::vector<TargetCombination> combinations;
 };
 

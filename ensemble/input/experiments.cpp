@@ -36,13 +36,14 @@ void check_transform(InputTable const& table, Target const& target)
     for (char const* key : {"lower", "upper"})
         if (table.has(key) != bounded)
             throw table.error(table.has(key) ? key : "transform",
-                              bounded ? fmt::format("transform = \"logit\" needs lower and upper, the range of "
-                                                    "the response; {} is missing",
-                                                    key)
-                                      : "is used by transform = \"logit\" alone; leave it out");
+                              bounded
+                                  ? fmt::format("transform = \"logit\" needs lower and upper, the range of "
+                                                "the response; {} is missing",
+                                                key)
+                                  : "is used by transform = \"logit\" alone; leave it out");
     if (bounded && !(target.lower < target.value && target.value < target.upper))
-        throw table.error("value", fmt::format("must be between lower = {} and upper = {}", target.lower,
-                                               target.upper));
+        throw table.error(
+            "value", fmt::format("must be between lower = {} and upper = {}", target.lower, target.upper));
     if (target.transform == "log" && !(target.value > 0))
         throw table.error("value", "must be greater than 0 for transform = \"log\"");
 }
@@ -58,8 +59,8 @@ std::vector<Target> read_targets(InputTable const& targets, std::string const& r
     for (auto const& name : targets.keys()) {
         auto const found = std::find(responses.begin(), responses.end(), name);
         if (found == responses.end())
-            throw targets.error(name, fmt::format("the rig {} has no such response; {}", rig,
-                                                  suggestion(name, responses)));
+            throw targets.error(
+                name, fmt::format("the rig {} has no such response; {}", rig, suggestion(name, responses)));
         auto const table = targets.table(name);
         auto const values = table.read(target_options());
         read.push_back({name, static_cast<int>(found - responses.begin()), values.number("value"),

@@ -96,7 +96,8 @@ std::vector<Factor> read_factors(InputTable const& file, BaseInput& base,
         read_range(table, values, factor);
         check_bounds(table, factor, resolved.spec);
         factor.inactive_value = values.number("inactive_value");
-        if (table.has("inactive_value") && !(factor.inactive_value >= factor.lower && factor.inactive_value <= factor.upper))
+        if (table.has("inactive_value") &&
+            !(factor.inactive_value >= factor.lower && factor.inactive_value <= factor.upper))
             throw table.error("inactive_value", fmt::format("must be between lower = {} and upper = {}",
                                                             factor.lower, factor.upper));
         check_different(table, factors, factor, base, resolved.places);

@@ -142,7 +142,8 @@ std::vector<ListSpec> const& objective_lists()
 {
     static std::vector<ListSpec> const specs = {
         {"combinations", "words",
-         "further residuals, e.g. \"break - rest = avalanche\": simulated on the left, the target on the right"},
+         "further residuals, e.g. \"break - rest = avalanche\": simulated on the left, the target on the "
+         "right"},
     };
     return specs;
 }

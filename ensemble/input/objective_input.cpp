@@ -28,7 +28,8 @@ struct TargetNames
             return static_cast<std::size_t>(found - whole.begin());
         auto const same = std::count(last.begin(), last.end(), name);
         if (same > 1)
-            throw InputError(fmt::format("\"{}\" is a target of {} experiments; write EXPERIMENT.{}", name, same, name));
+            throw InputError(
+                fmt::format("\"{}\" is a target of {} experiments; write EXPERIMENT.{}", name, same, name));
         if (same == 0)
             throw InputError(fmt::format("\"{}\" has no target; {}", name, suggestion(name, whole)));
         return static_cast<std::size_t>(std::find(last.begin(), last.end(), name) - last.begin());

@@ -121,7 +121,9 @@ std::vector<Field<RunOptions>> const& fields_of()
 {
     static std::vector<Field<RunOptions>> const fields = {
         field(&RunOptions::ranks_per_group,
-              {.key = "ranks_per_group", .doc = "MPI ranks that share one run; pays from some 10,000 particles a rank", .lower = 1}),
+              {.key = "ranks_per_group",
+               .doc = "MPI ranks that share one run; pays from some 10,000 particles a rank",
+               .lower = 1}),
         field(&RunOptions::run_wall_time_s, {.key = "run_wall_time_s",
                                              .doc = "a slower run counts as timed out [s]; 0: no limit",
                                              .lower = 0}),

@@ -68,9 +68,10 @@ void check_budget(InputTable const& design, InputTable const& stop, CampaignInpu
     long const screened =
         input.screening.points > 0 ? input.screening.points + input.screening.centre_repetitions : 0;
     if (screened * runs_per_point > input.stop.runs)
-        throw stop.error(fmt::format("the screening needs {} runs ({} points, {} runs each), but runs = {}; raise "
-                                     "it or screen with fewer points",
-                                     screened * runs_per_point, screened, runs_per_point, input.stop.runs));
+        throw stop.error(
+            fmt::format("the screening needs {} runs ({} points, {} runs each), but runs = {}; raise "
+                        "it or screen with fewer points",
+                        screened * runs_per_point, screened, runs_per_point, input.stop.runs));
     int const points =
         input.design.kind == "table" ? static_cast<int>(input.design.table.size()) : input.design.points;
     if (static_cast<long>(points) * runs_per_point > input.stop.runs)
@@ -93,11 +94,13 @@ void check_screening(InputTable const& screening, CampaignInput const& input)
     if (points < 4 || (points & (points - 1)) != 0)
         throw screening.error("points", "must be a power of 2 from 4 on, such as 16");
     if (points <= static_cast<int>(input.factors.size()))
-        throw screening.error("points", fmt::format("cannot tell the {} factors apart; it must be more than {}",
-                                                    input.factors.size(), input.factors.size()));
+        throw screening.error("points",
+                              fmt::format("cannot tell the {} factors apart; it must be more than {}",
+                                          input.factors.size(), input.factors.size()));
     if (!input.design.table.empty())
-        throw screening.error("points", "cannot go before a [design] with a table, whose rows are made for all "
-                                        "factors; leave one of them out");
+        throw screening.error("points",
+                              "cannot go before a [design] with a table, whose rows are made for all "
+                              "factors; leave one of them out");
 }
 
 void check_objective(InputTable const& objective, CampaignInput const& input)
@@ -107,9 +110,10 @@ void check_objective(InputTable const& objective, CampaignInput const& input)
     for (auto const& experiment : input.experiments)
         for (auto const& target : experiment.targets)
             if (target.value == 0)
-                throw objective.error("kind", fmt::format("relative deviations need targets other than 0, but that of "
-                                                          "{}.{} is 0",
-                                                          experiment.name, target.response));
+                throw objective.error(
+                    "kind", fmt::format("relative deviations need targets other than 0, but that of "
+                                        "{}.{} is 0",
+                                        experiment.name, target.response));
 }
 
 //! Corners of the box of factors; of many factors only a few points on its faces.

@@ -24,8 +24,8 @@ void check_result(rig::RunResult& result, Experiment const& experiment)
     if (result.status == rig::RunStatus::finished) {
         if (result.responses.size() != experiment.responses.size())
             fail(result, rig::RunStatus::error,
-                 fmt::format("rig \"{}\" gave {} responses instead of {}", experiment.rig->name, result.responses.size(),
-                             experiment.responses.size()));
+                 fmt::format("rig \"{}\" gave {} responses instead of {}", experiment.rig->name,
+                             result.responses.size(), experiment.responses.size()));
         for (std::size_t k = 0; k < result.responses.size() && result.status == rig::RunStatus::finished; ++k)
             if (!std::isfinite(result.responses[k]))
                 fail(result, rig::RunStatus::not_a_number,
@@ -40,8 +40,9 @@ void check_result(rig::RunResult& result, Experiment const& experiment)
 //! which run it was.
 [[noreturn]] void die_alone(RunRecord const& plan)
 {
-    fmt::print(stderr, "run {}: not enough memory on a rank of its group; the program ends here, go on with it "
-                       "on more memory\n",
+    fmt::print(stderr,
+               "run {}: not enough memory on a rank of its group; the program ends here, go on with it "
+               "on more memory\n",
                plan.run);
     std::abort();
 }
@@ -51,7 +52,8 @@ rig::RunResult simulate(CampaignInput const& input, RunRecord const& plan, rig::
     auto const& experiment = input.experiments.at(static_cast<std::size_t>(plan.experiment));
     rig::RunResult result;
     try {
-        result = experiment.rig->run(input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate), hooks);
+        result = experiment.rig->run(
+            input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate), hooks);
     } catch (rig::RunInterrupted const&) {
         throw;
     } catch (std::bad_alloc const&) {

@@ -1,9 +1,9 @@
 #include "demens/dem/simulation.hpp"
 
 #include "demens/base/error.hpp"
-#include "demens/dem/block_transfer.hpp"
-#include "demens/dem/pair_test.hpp"
-#include "demens/dem/wall_contacts.hpp"
+#include "src/dem/cpu/block_transfer.hpp"
+#include "src/dem/cpu/pair_test.hpp"
+#include "src/dem/cpu/wall_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>

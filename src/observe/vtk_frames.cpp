@@ -60,24 +60,26 @@ void write_file(std::filesystem::path const& file, std::string const& content)
     out.write(content.data(), static_cast<std::streamsize>(content.size()));
     out.close();
     if (!out)
-        throw InputError(fmt::format("{}: a frame cannot be written; give a folder that is writable and has room "
-                                     "for it ({} bytes)",
-                                     file.string(), content.size()));
+        throw InputError(
+            fmt::format("{}: a frame cannot be written; give a folder that is writable and has room "
+                        "for it ({} bytes)",
+                        file.string(), content.size()));
 }
 
 void PolyData::write(std::filesystem::path const& file) const
 {
     std::string const count = fmt::format("NumberOf{}=\"{}\"", cells_kind_, cells_);
-    write_file(file,
-               fmt::format("<?xml version=\"1.0\"?>\n"
-                           "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-                           "header_type=\"UInt64\">\n<PolyData>\n"
-                           "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-                           "format=\"ascii\">{}</DataArray></FieldData>\n"
-                           "<Piece NumberOfPoints=\"{}\" {}>\n<Points>\n{}</Points>\n<PointData>\n{}</PointData>\n"
-                           "<{}>\n{}</{}>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_",
-                           time_, points_, count, points_xml_, point_data_xml_, cells_kind_, cells_xml_, cells_kind_) +
-                   bytes_ + "\n</AppendedData>\n</VTKFile>\n");
+    write_file(
+        file, fmt::format(
+                  "<?xml version=\"1.0\"?>\n"
+                  "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+                  "header_type=\"UInt64\">\n<PolyData>\n"
+                  "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+                  "format=\"ascii\">{}</DataArray></FieldData>\n"
+                  "<Piece NumberOfPoints=\"{}\" {}>\n<Points>\n{}</Points>\n<PointData>\n{}</PointData>\n"
+                  "<{}>\n{}</{}>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_",
+                  time_, points_, count, points_xml_, point_data_xml_, cells_kind_, cells_xml_, cells_kind_) +
+                  bytes_ + "\n</AppendedData>\n</VTKFile>\n");
 }
 
 std::vector<float> interleaved(std::vector<double> const& x, std::vector<double> const& y,
@@ -86,7 +88,8 @@ std::vector<float> interleaved(std::vector<double> const& x, std::vector<double>
     std::vector<float> xyz;
     xyz.reserve(3 * x.size());
     for (std::size_t i = 0; i < x.size(); ++i)
-        for (double value : {x[i], y[i], z[i]}) xyz.push_back(static_cast<float>(value));
+        for (double value : {x[i], y[i], z[i]})
+            xyz.push_back(static_cast<float>(value));
     return xyz;
 }
 
@@ -109,7 +112,8 @@ PolyData particles_of(Snapshot const& snapshot)
     return data;
 }
 
-//! The faces of axis-aligned boxes; of a flat box, the one face that it is. Then the triangles of other walls.
+//! The faces of axis-aligned boxes; of a flat box, the one face that it is. Then the triangles of other
+//! walls.
 PolyData walls_of(Snapshot const& snapshot)
 {
     std::vector<float> corners;
@@ -117,7 +121,8 @@ PolyData walls_of(Snapshot const& snapshot)
     for (auto const& wall : snapshot.walls) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             std::size_t const u = (axis + 1) % 3, v = (axis + 2) % 3;
-            if (wall[u] == wall[u + 3] || wall[v] == wall[v + 3]) continue; // no area in this direction
+            if (wall[u] == wall[u + 3] || wall[v] == wall[v + 3])
+                continue; // no area in this direction
             bool const flat = wall[axis] == wall[axis + 3];
             for (std::size_t side = 0; side < (flat ? 1 : 2); ++side) {
                 for (auto [at_u, at_v] : {std::array{u, v}, {u + 3, v}, {u + 3, v + 3}, {u, v + 3}}) {
@@ -126,7 +131,8 @@ PolyData walls_of(Snapshot const& snapshot)
                     corner[u] = wall[at_u];
                     corner[v] = wall[at_v];
                     faces.push_back(static_cast<std::int64_t>(corners.size() / 3));
-                    for (double value : corner) corners.push_back(static_cast<float>(value));
+                    for (double value : corner)
+                        corners.push_back(static_cast<float>(value));
                 }
                 ends.push_back(static_cast<std::int64_t>(faces.size()));
             }
@@ -135,7 +141,8 @@ PolyData walls_of(Snapshot const& snapshot)
     for (auto const& triangle : snapshot.wall_triangles) {
         for (int corner = 0; corner < 3; ++corner)
             faces.push_back(static_cast<std::int64_t>(corners.size() / 3) + corner);
-        for (double const value : triangle) corners.push_back(static_cast<float>(value));
+        for (double const value : triangle)
+            corners.push_back(static_cast<float>(value));
         ends.push_back(static_cast<std::int64_t>(faces.size()));
     }
     PolyData data(corners.size() / 3, snapshot.time);
@@ -144,7 +151,10 @@ PolyData walls_of(Snapshot const& snapshot)
     return data;
 }
 
-std::string frame_name(std::string const& name, std::size_t frame) { return fmt::format("{}_{:06}.vtp", name, frame); }
+std::string frame_name(std::string const& name, std::size_t frame)
+{
+    return fmt::format("{}_{:06}.vtp", name, frame);
+}
 
 } // namespace
 
@@ -153,8 +163,9 @@ VtkFrames::VtkFrames(std::filesystem::path folder) : folder_(std::move(folder))
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
     if (!std::filesystem::is_directory(folder_))
-        throw InputError(fmt::format("{}: not a folder and cannot be made one ({}); frames need a folder of their own",
-                                     folder_.string(), error.message()));
+        throw InputError(
+            fmt::format("{}: not a folder and cannot be made one ({}); frames need a folder of their own",
+                        folder_.string(), error.message()));
 }
 
 void VtkFrames::write(Snapshot const& snapshot)
@@ -170,11 +181,13 @@ void VtkFrames::write_collection(std::string const& name) const
 {
     std::string entries;
     for (std::size_t frame = 0; frame < times_.size(); ++frame)
-        entries += fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", times_[frame], frame_name(name, frame));
-    write_file(folder_ / (name + ".pvd"),
-               "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-               "<Collection>\n" +
-                   entries + "</Collection>\n</VTKFile>\n");
+        entries +=
+            fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", times_[frame], frame_name(name, frame));
+    write_file(
+        folder_ / (name + ".pvd"),
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+        "<Collection>\n" +
+            entries + "</Collection>\n</VTKFile>\n");
 }
 
 } // namespace demens::observe

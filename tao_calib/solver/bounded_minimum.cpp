@@ -44,9 +44,8 @@ struct Context
         if (best.point.size() == 0 || value < best.value)
             best.point = point, best.value = value;
         for (std::size_t k = 0; k < gradient.size(); ++k)
-            gradient[k] = std::isfinite(slope[static_cast<Eigen::Index>(k)])
-                              ? slope[static_cast<Eigen::Index>(k)]
-                              : 0;
+            gradient[k] =
+                std::isfinite(slope[static_cast<Eigen::Index>(k)]) ? slope[static_cast<Eigen::Index>(k)] : 0;
         return value;
     }
 };

@@ -24,10 +24,10 @@ enum class Minimiser
 
 struct MinimiserSettings
 {
-    double first_step = 0.1;  //!< share of the box
-    double tolerance = 1e-9;  //!< on the step, as a share of the box
+    double first_step = 0.1;   //!< share of the box
+    double tolerance = 1e-9;   //!< on the step, as a share of the box
     double enough = -HUGE_VAL; //!< a value that is good enough
-    int evaluations = 1000;   //!< at most
+    int evaluations = 1000;    //!< at most
 };
 
 struct BoundedMinimum

@@ -6,9 +6,9 @@
 
 namespace demens::tao_calib {
 
-//! A genetic algorithm on the sum of squares: tournaments of two, blend crossover (Eshelman and Schaffer 1993),
-//! bell-shaped mutation that narrows, the best two kept. Searches the whole cube; the start is one of its first
-//! members. The same start gives the same bits.
+//! A genetic algorithm on the sum of squares: tournaments of two, blend crossover (Eshelman and Schaffer
+//! 1993), bell-shaped mutation that narrows, the best two kept. Searches the whole cube; the start is one of
+//! its first members. The same start gives the same bits.
 class Genetic : public LeastSquaresSolver
 {
   public:

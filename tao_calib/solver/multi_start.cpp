@@ -29,8 +29,7 @@ LeastSquaresProblem widened(LeastSquaresProblem const& problem, UnitCube const& 
             };
         return reduced;
     }
-    return {free, problem.residuals + free,
-            [&problem, &cube, distance_weight, free](VectorXd const& x) {
+    return {free, problem.residuals + free, [&problem, &cube, distance_weight, free](VectorXd const& x) {
                 VectorXd const feasible = cube.project(whole(cube, x));
                 VectorXd residuals(problem.residuals + free);
                 residuals << problem.evaluate(feasible),

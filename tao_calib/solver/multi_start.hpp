@@ -14,8 +14,9 @@ struct LocalMinimum
     double sum_of_squares;
 };
 
-//! The minimum that a solver finds from one start. Linear constraints enter by projection: at x the residuals are
-//! those of the nearest feasible point, followed by its distance from x, so that a minimum is feasible and exact.
+//! The minimum that a solver finds from one start. Linear constraints enter by projection: at x the residuals
+//! are those of the nearest feasible point, followed by its distance from x, so that a minimum is feasible
+//! and exact.
 LocalMinimum minimum_from(LeastSquaresSolver const& solver, LeastSquaresProblem const& problem,
                           UnitCube const& cube, Eigen::VectorXd const& start,
                           LeastSquaresSettings const& settings = {});

@@ -116,7 +116,8 @@ LeastSquaresResult QuasiNewton::minimise(LeastSquaresProblem const& problem, Vec
     if (context.exception)
         std::rethrow_exception(context.exception);
     if (context.best.point.size() == 0)
-        throw std::runtime_error(fmt::format("TAO BQNLS found no point to begin with (PETSc error {})", code));
+        throw std::runtime_error(
+            fmt::format("TAO BQNLS found no point to begin with (PETSc error {})", code));
     context.best.converged = code == 0 && reason > 0;
     context.best.ending = code == 0 ? in_words(reason) : fmt::format("PETSc error {}", code);
     return context.best;

@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double shortest = 0.05, longest = 20;    // lengths, in shares of the ranges
+constexpr double shortest = 0.05, longest = 20; // lengths, in shares of the ranges
 constexpr double least_noise = 1e-8, most_noise = 10;
 constexpr double usual_length = 1, length_spread = 1.2; // prior: log-normal
 
@@ -71,8 +71,8 @@ Correlation most_likely(Samples const& samples)
     for (auto const& [length, noise] : starts) {
         VectorXd start = VectorXd::Constant(k + 1, std::log(length));
         start[k] = std::log(noise);
-        auto found = minimise(Minimiser::quasi_newton, bounded, start,
-                              {.tolerance = 1e-5, .evaluations = 80});
+        auto found =
+            minimise(Minimiser::quasi_newton, bounded, start, {.tolerance = 1e-5, .evaluations = 80});
         if (found.value < best.value)
             best = std::move(found);
     }
@@ -150,8 +150,7 @@ bool GaussianProcess::can_fit(Samples const& samples)
 GaussianProcess::GaussianProcess(Samples const& samples) : GaussianProcess(samples, most_likely(samples)) {}
 
 GaussianProcess::GaussianProcess(Samples const& samples, Correlation correlation)
-    : points_(samples.points), correlation_(std::move(correlation)),
-      kriging_(krige(samples, correlation_))
+    : points_(samples.points), correlation_(std::move(correlation)), kriging_(krige(samples, correlation_))
 {
     // A correlation that is singular in double precision is made sound by more noise.
     while (!kriging_.sound()) {

@@ -60,7 +60,7 @@ class CorrelationLikelihood
   private:
     std::vector<Eigen::MatrixXd> squared_differences_; //!< [k], each n x n
     Eigen::VectorXd noise_shares_;                     //!< [n] 1/runs
-    Eigen::VectorXd centred_;      //!< values about their mean, in units of their spread
+    Eigen::VectorXd centred_;                          //!< values about their mean, in units of their spread
     double replicate_squares_ = 0; //!< summed squares of runs about their location's mean, same units
     double replicate_degrees_ = 0;
 };

@@ -10,8 +10,8 @@ namespace demens::tao_calib {
 class Kriging
 {
   public:
-    //! \param covariance of the data, noise included [n x n]; \param trend functions at the data [n x q], q may
-    //! be 0
+    //! \param covariance of the data, noise included [n x n]; \param trend functions at the data [n x q], q
+    //! may be 0
     Kriging(Eigen::MatrixXd const& covariance, Eigen::MatrixXd const& trend, Eigen::VectorXd const& values);
 
     //! Mean at a point with these covariances with the data [n] and trend functions [q].

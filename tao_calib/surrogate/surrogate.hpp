@@ -52,8 +52,8 @@ double leave_one_out_rmse(Surrogate const& surrogate, Samples const& samples);
 //! Words that `[surrogate] kind` may be.
 std::vector<std::string> const& surrogate_kinds();
 
-//! Fits the surrogate of that name, or a simpler one where the samples do not suffice. "auto" takes the one with
-//! the smallest leave-one-out error.
+//! Fits the surrogate of that name, or a simpler one where the samples do not suffice. "auto" takes the one
+//! with the smallest leave-one-out error.
 std::unique_ptr<Surrogate> fit_surrogate(std::string const& kind, Samples const& samples);
 
 } // namespace demens::tao_calib

@@ -6,8 +6,8 @@
 
 namespace demens::tao_calib {
 
-//! A monotone function of a response, in which it is fitted. Values from outside its domain (a flow of nothing
-//! has no logarithm) count as the nearest place inside, so that a jam stays one sample among others.
+//! A monotone function of a response, in which it is fitted. Values from outside its domain (a flow of
+//! nothing has no logarithm) count as the nearest place inside, so that a jam stays one sample among others.
 class Transform
 {
   public:

@@ -112,8 +112,8 @@ void add_prediction(Arrays& arrays, Assessment const& assessment)
                   "by target, in its unit: predicted there");
     arrays.vector("optimum/predicted_sd", assessment.prediction_sd(minimum.point), "mixed",
                   "by target, in its unit: standard deviation of the prediction there");
-    arrays.number("optimum/predicted_wmse", assessment.objective().wmse(assessment.predict(minimum.point)), "mixed",
-                  "predicted weighted mean square error there");
+    arrays.number("optimum/predicted_wmse", assessment.objective().wmse(assessment.predict(minimum.point)),
+                  "mixed", "predicted weighted mean square error there");
 }
 
 //! WMSE of each design point by itself, NaN where a target has no value.

@@ -25,9 +25,10 @@ void add_uncertainty(Arrays& arrays, Assessment const& assessment, FactorUncerta
                   "factor x (lowest, highest), in its unit: values that can still meet the targets, 95 %");
     arrays.matrix("optimum/factor_correlation", known.correlations, "1",
                   "factor x factor: correlation over the same parameter sets");
-    arrays.vector("optimum/factor_verdict", verdicts, "1",
-                  "by factor: 0 determined, 1 weakly determined, 2 not determined by these targets, 3 fixed after "
-                  "screening");
+    arrays.vector(
+        "optimum/factor_verdict", verdicts, "1",
+        "by factor: 0 determined, 1 weakly determined, 2 not determined by these targets, 3 fixed after "
+        "screening");
     arrays.number("optimum/least_misfit", known.least_misfit, "1",
                   "chi2 of the predicted responses at the predicted optimum, deviations over target_noise");
     arrays.number("optimum/region_90", known.region_90, "1",
@@ -71,8 +72,9 @@ void add_tradeoffs(Arrays& arrays, std::vector<Tradeoff> const& pairs)
     }
     arrays.matrix("tradeoff/factors", factors, "1", "pair x 2: numbers of the factors that trade off");
     arrays.vector("tradeoff/correlation", correlations, "1", "by pair: over the sets that the targets allow");
-    arrays.matrix("tradeoff/response", responses, "1",
-                  "pair x (experiment, response of its rig): what would separate them best; -1: nothing simulated");
+    arrays.matrix(
+        "tradeoff/response", responses, "1",
+        "pair x (experiment, response of its rig): what would separate them best; -1: nothing simulated");
     arrays.vector("tradeoff/variance_removed", removed, "1",
                   "by pair: share of its variance that measuring that response would take away");
 }
@@ -96,7 +98,8 @@ VectorXd out_of_reach(Assessment const& assessment)
 
 void add_knowledge(Arrays& arrays, ensemble::Campaign const& campaign, Assessment const& assessment)
 {
-    auto const seed = derive_seed(derive_seed(campaign.input.seed, uncertainty_stream), campaign.waves.size());
+    auto const seed =
+        derive_seed(derive_seed(campaign.input.seed, uncertainty_stream), campaign.waves.size());
     auto const known = factor_uncertainty(assessment, seed);
     add_uncertainty(arrays, assessment, known);
     add_region(arrays, assessment.cube(), tolerance_region(assessment, known, derive_seed(seed, 3)));
@@ -110,7 +113,8 @@ void add_screening(Arrays& arrays, Screening const& screening)
     VectorXd active(static_cast<Eigen::Index>(screening.active.size()));
     for (Eigen::Index f = 0; f < active.size(); ++f)
         active[f] = screening.active[static_cast<std::size_t>(f)];
-    arrays.vector("screening/active", active, "1", "by factor: 1 where some target's p value is small enough");
+    arrays.vector("screening/active", active, "1",
+                  "by factor: 1 where some target's p value is small enough");
     arrays.vector("screening/fixed_value", screening.fixed_values, "mixed",
                   "by factor, in its unit: value kept from now on, NaN where it is free");
     arrays.matrix("screening/effects", screening.effects, "mixed",
@@ -118,7 +122,8 @@ void add_screening(Arrays& arrays, Screening const& screening)
     arrays.matrix("screening/p_values", screening.p_values, "1", "target x factor: p value of that effect");
     arrays.vector("screening/error_sd", screening.error_sd, "mixed",
                   "by target, in its unit: standard deviation of a run, against which effects were tested");
-    arrays.vector("screening/error_degrees", screening.error_degrees, "1", "by target: its degrees of freedom");
+    arrays.vector("screening/error_degrees", screening.error_degrees, "1",
+                  "by target: its degrees of freedom");
     arrays.number("screening/error_from_replicates", screening.from_replicates, "1",
                   "1: that error is pure, from repeated runs; 0: what the main effects leave over");
 }

@@ -25,11 +25,12 @@ class Arrays
     }
     void matrix(std::string path, Eigen::MatrixXd const& values, std::string units, std::string doc)
     {
-        ensemble::NamedArray array{std::move(path),
-                         {static_cast<std::size_t>(values.rows()), static_cast<std::size_t>(values.cols())},
-                         {},
-                         std::move(units),
-                         std::move(doc)};
+        ensemble::NamedArray array{
+            std::move(path),
+            {static_cast<std::size_t>(values.rows()), static_cast<std::size_t>(values.cols())},
+            {},
+            std::move(units),
+            std::move(doc)};
         for (Eigen::Index i = 0; i < values.rows(); ++i)
             for (Eigen::Index j = 0; j < values.cols(); ++j)
                 array.data.push_back(values(i, j));

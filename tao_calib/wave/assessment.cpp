@@ -42,8 +42,7 @@ Assessment::Assessment(ensemble::Campaign const& campaign, LeastSquaresSolver co
             continue;
         }
         surrogates_.push_back(std::make_unique<TransformedSurrogate>(
-            transform,
-            fit_surrogate(campaign.input.surrogate.kind, transformed(transform, samples_.back())),
+            transform, fit_surrogate(campaign.input.surrogate.kind, transformed(transform, samples_.back())),
             samples_.back()));
     }
 

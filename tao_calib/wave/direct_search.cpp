@@ -67,8 +67,8 @@ class Answers
 
 } // namespace
 
-std::vector<std::vector<double>> direct_points(ensemble::Campaign const& campaign, Assessment const& assessment,
-                                               int count)
+std::vector<std::vector<double>> direct_points(ensemble::Campaign const& campaign,
+                                               Assessment const& assessment, int count)
 {
     auto const before = designed(campaign, assessment);
     auto const* start = before.best();

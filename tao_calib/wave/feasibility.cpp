@@ -5,8 +5,8 @@
 namespace demens::tao_calib {
 namespace {
 
-constexpr double reach = 0.1;         // in shares of the ranges, for one factor
-constexpr double doubt = 0.1;         // weight of the overall share
+constexpr double reach = 0.1; // in shares of the ranges, for one factor
+constexpr double doubt = 0.1; // weight of the overall share
 
 } // namespace
 

@@ -4,9 +4,9 @@
 
 namespace demens::tao_calib {
 
-//! Where runs give every target a value and where they fail (arches, jams, blown up ones), learnt from the runs
-//! so far: the share of good runs among the locations nearby, each counting exp(-(distance/reach)^2/2), and one
-//! location's worth of the overall share. 1 everywhere as long as nothing failed.
+//! Where runs give every target a value and where they fail (arches, jams, blown up ones), learnt from the
+//! runs so far: the share of good runs among the locations nearby, each counting exp(-(distance/reach)^2/2),
+//! and one location's worth of the overall share. 1 everywhere as long as nothing failed.
 class Feasibility
 {
   public:

@@ -84,12 +84,12 @@ void take_improvements(Assessment const& assessment, Feasibility const& feasibil
         std::stable_sort(candidates.begin(), candidates.end(),
                          [](auto const& a, auto const& b) { return a.first > b.first; });
         for (int i = 0; i < polished; ++i) {
-            auto const found = minimise(
-                Minimiser::simplex,
-                {[&](VectorXd const& unit, VectorXd*) { return -merit(cube.project(unit)); },
-                 VectorXd::Zero(cube.size()), VectorXd::Ones(cube.size())},
-                candidates[static_cast<std::size_t>(i)].second,
-                {.first_step = 0.03, .tolerance = 1e-4, .evaluations = 150});
+            auto const found =
+                minimise(Minimiser::simplex,
+                         {[&](VectorXd const& unit, VectorXd*) { return -merit(cube.project(unit)); },
+                          VectorXd::Zero(cube.size()), VectorXd::Ones(cube.size())},
+                         candidates[static_cast<std::size_t>(i)].second,
+                         {.first_step = 0.03, .tolerance = 1e-4, .evaluations = 150});
             candidates.push_back({-found.value, cube.project(found.point)});
         }
         std::stable_sort(candidates.begin(), candidates.end(),

@@ -227,7 +227,8 @@ NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment)
                 {},
                 "the design is done, and without targets there is nothing to search"};
     if (campaign.input.stop.waves == 0)
-        return {NextStep::Kind::finish, {}, {}, "the design is done, and no wave shall search (stop.waves = 0)"};
+        return {
+            NextStep::Kind::finish, {}, {}, "the design is done, and no wave shall search (stop.waves = 0)"};
     if (!assessment.fitted())
         return more_design(campaign, assessment, budget);
 
@@ -240,8 +241,9 @@ NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment)
             return step;
     }
 
-    auto points = search_points(campaign, assessment, std::min(batch_size(campaign), budget.points - reserve(campaign)),
-                                wave_seed(campaign));
+    auto points =
+        search_points(campaign, assessment, std::min(batch_size(campaign), budget.points - reserve(campaign)),
+                      wave_seed(campaign));
     if (points.empty())
         return confirm_or_finish(campaign, best, budget, nothing_left(campaign));
     return wave("search", std::move(points));

@@ -13,9 +13,10 @@ constexpr double widest = 0.35, narrowest = 0.03; // move limits, half widths in
 //! Search waves after the one in which the best location was first simulated.
 int waves_in_vain(ensemble::Campaign const& campaign, Location const& best)
 {
-    return static_cast<int>(std::count_if(
-        campaign.waves.begin(), campaign.waves.end(),
-        [&](auto const& wave) { return wave.purpose == "search" && wave.number > best.first_wave; }));
+    return static_cast<int>(
+        std::count_if(campaign.waves.begin(), campaign.waves.end(), [&](auto const& wave) {
+            return wave.purpose == "search" && wave.number > best.first_wave;
+        }));
 }
 
 std::vector<std::unique_ptr<Surrogate>> local_quadratics(Assessment const& assessment, VectorXd const& centre,

@@ -117,7 +117,8 @@ void fix_inactive(ensemble::Campaign const& campaign, Screening& screening)
     try {
         UnitCube const cube(factors, campaign.input.constraints, screening.fixed());
     } catch (InputError const& error) {
-        keep_all(fmt::format("all factors stay free, since the inactive ones cannot be fixed: {}", error.what()));
+        keep_all(
+            fmt::format("all factors stay free, since the inactive ones cannot be fixed: {}", error.what()));
     }
 }
 
@@ -138,9 +139,9 @@ Eigen::MatrixXd screening_points(ensemble::CampaignInput const& input)
     return make_design(options, input.factors, input.constraints, input.seed);
 }
 
-//! Main effects are tested one by one; in a fraction of resolution IV no product of two factors is mixed up with
-//! them. The 5 % level lets one in twenty inactive factors pass for every target: that costs runs, while a factor
-//! fixed by mistake would cost the answer.
+//! Main effects are tested one by one; in a fraction of resolution IV no product of two factors is mixed up
+//! with them. The 5 % level lets one in twenty inactive factors pass for every target: that costs runs, while
+//! a factor fixed by mistake would cost the answer.
 Screening screen(ensemble::Campaign const& campaign, Objective const& objective)
 {
     auto const* wave = screening_wave(campaign);
@@ -155,7 +156,8 @@ Screening screen(ensemble::Campaign const& campaign, Objective const& objective)
             Regression const main_effects(data, polynomial_terms(PolynomialModel::linear, k));
             auto const error = error_of(main_effects);
             if (error.degrees < 1)
-                throw InputError(fmt::format("response `{}`: no run is left to test effects against", data.response));
+                throw InputError(
+                    fmt::format("response `{}`: no run is left to test effects against", data.response));
             screening.error_sd[t] = std::sqrt(error.mean_square);
             screening.error_degrees[t] = error.degrees;
             screening.from_replicates = error.from_replicates;
@@ -165,14 +167,15 @@ Screening screen(ensemble::Campaign const& campaign, Objective const& objective)
                 double const standard_error =
                     coefficient.standard_error * screening.error_sd[t] / residual_sd;
                 screening.effects(t, f) = 2 * coefficient.value;
-                screening.p_values(t, f) = student_t_p_value(coefficient.value / standard_error, error.degrees);
+                screening.p_values(t, f) =
+                    student_t_p_value(coefficient.value / standard_error, error.degrees);
                 if (screening.p_values(t, f) <= campaign.input.screening.significance)
                     screening.active[static_cast<std::size_t>(f)] = true;
             }
         } catch (InputError const& problem) {
-            return all_active(campaign, objective,
-                              fmt::format("all factors stay free, since the screening says nothing: {}",
-                                          problem.what()));
+            return all_active(
+                campaign, objective,
+                fmt::format("all factors stay free, since the screening says nothing: {}", problem.what()));
         }
     }
     fix_inactive(campaign, screening);

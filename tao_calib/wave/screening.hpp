@@ -4,8 +4,8 @@
 
 namespace demens::tao_calib {
 
-//! Which factors act, learnt from a screening wave. Effects are changes of a response from the lower to the upper
-//! bound of a factor, p values those of the effect being zero.
+//! Which factors act, learnt from a screening wave. Effects are changes of a response from the lower to the
+//! upper bound of a factor, p values those of the effect being zero.
 struct Screening
 {
     Eigen::MatrixXd effects;       //!< [m x k], in the target's unit
@@ -15,7 +15,7 @@ struct Screening
     bool from_replicates = false;  //!< error from repeated runs, not from what the main effects leave over
     std::vector<bool> active;      //!< [k]
     Eigen::VectorXd fixed_values;  //!< [k] own units of inactive factors, NaN of active ones
-    std::string note;              //!< why all factors stay active, where nothing could be concluded; else empty
+    std::string note; //!< why all factors stay active, where nothing could be concluded; else empty
 
     std::vector<double> fixed() const { return {fixed_values.begin(), fixed_values.end()}; }
 };

@@ -42,14 +42,16 @@ std::vector<Candidate> draw_candidates(Assessment const& assessment, Choice cons
         }
         unit = choice.simulated(unit);
         if (choice.is_new(unit))
-            candidates.push_back({unit, assessment.objective().search_residuals(assessment.predict(unit)).norm(),
+            candidates.push_back({unit,
+                                  assessment.objective().search_residuals(assessment.predict(unit)).norm(),
                                   choice.distance(unit), feasibility.chance(unit)});
     }
     return candidates;
 }
 
 //! The candidate with the best merit, weight x misfit + (1 - weight) x closeness, both scaled to [0, 1] over
-//! the candidates (Regis and Shoemaker 2007, INFORMS J. Comput. 19, 497). Where runs fail it is worse by up to 1.
+//! the candidates (Regis and Shoemaker 2007, INFORMS J. Comput. 19, 497). Where runs fail it is worse by up
+//! to 1.
 Candidate const& most_deserving(std::vector<Candidate> const& candidates, double weight)
 {
     auto by_misfit = [](auto const& a, auto const& b) { return a.misfit < b.misfit; };
@@ -66,7 +68,8 @@ Candidate const& most_deserving(std::vector<Candidate> const& candidates, double
                              [&](auto const& a, auto const& b) { return merit(a) < merit(b); });
 }
 
-//! The best predicted point and further minima that promise more than the best location, where runs do not fail.
+//! The best predicted point and further minima that promise more than the best location, where runs do not
+//! fail.
 void take_minima(Assessment const& assessment, Feasibility const& feasibility, int most, Choice& choice)
 {
     Location const* best = assessment.locations().best();

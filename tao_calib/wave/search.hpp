@@ -5,8 +5,9 @@
 namespace demens::tao_calib {
 
 //! Design points of a search wave, own units, in the way that `[solver] kind` asks for; by default the best
-//! predicted point, further distinct minima that promise more than the best simulated location, and points that
-//! improve the surrogates. None is close to a location that exists; none at all: the search has come to its end.
+//! predicted point, further distinct minima that promise more than the best simulated location, and points
+//! that improve the surrogates. None is close to a location that exists; none at all: the search has come to
+//! its end.
 std::vector<std::vector<double>> search_points(ensemble::Campaign const& campaign,
                                                Assessment const& assessment, int count, std::uint64_t seed);
 

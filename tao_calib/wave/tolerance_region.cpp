@@ -71,7 +71,8 @@ Member member_of(Assessment const& assessment, FactorUncertainty const& known, b
             return assessment.objective().within_tolerance(assessment.predict(unit));
         return misfit(assessment, known.target_noise, unit) <= known.least_misfit + 3.84;
     };
-    return [&cube, within](VectorXd const& unit) { return cube.feasible(cube.to_values(unit)) && within(unit); };
+    return
+        [&cube, within](VectorXd const& unit) { return cube.feasible(cube.to_values(unit)) && within(unit); };
 }
 
 } // namespace

@@ -11,8 +11,8 @@ struct RegionPart
     double share;                 //!< of the sets found
 };
 
-//! Where all responses with a tolerance are predicted within it; where none has one, the sets that the targets
-//! allow at 95 %.
+//! Where all responses with a tolerance are predicted within it; where none has one, the sets that the
+//! targets allow at 95 %.
 struct ToleranceRegion
 {
     bool by_tolerance = false;
@@ -20,8 +20,8 @@ struct ToleranceRegion
     std::vector<RegionPart> parts; //!< the largest first; none: no such set was found
 };
 
-//! Found by random sets over the whole range and around the minima. The assessment must be fitted, `known` its
-//! uncertainty.
+//! Found by random sets over the whole range and around the minima. The assessment must be fitted, `known`
+//! its uncertainty.
 ToleranceRegion tolerance_region(Assessment const& assessment, FactorUncertainty const& known,
                                  std::uint64_t seed);
 

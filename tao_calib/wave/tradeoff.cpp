@@ -23,9 +23,8 @@ std::vector<CampaignTarget> further_responses(ensemble::CampaignInput const& inp
         for (std::size_t r = 0; r < experiment.responses.size(); ++r) {
             auto const& response = experiment.responses[r];
             bool const targeted =
-                std::any_of(experiment.targets.begin(), experiment.targets.end(), [&](auto const& target) {
-                    return target.response_index == static_cast<int>(r);
-                });
+                std::any_of(experiment.targets.begin(), experiment.targets.end(),
+                            [&](auto const& target) { return target.response_index == static_cast<int>(r); });
             if (!targeted)
                 further.push_back({static_cast<int>(e),
                                    {response.name, static_cast<int>(r), 0, 1, none, none},
@@ -90,7 +89,8 @@ std::vector<Tradeoff> tradeoffs(ensemble::Campaign const& campaign, Assessment c
 
     auto const responses = witnesses(campaign, assessment, known);
     for (auto& pair : pairs) {
-        VectorXd const first = centred(known.draws.col(pair.first)), second = centred(known.draws.col(pair.second));
+        VectorXd const first = centred(known.draws.col(pair.first)),
+                       second = centred(known.draws.col(pair.second));
         // Where the pair lies along the line on which it trades off.
         VectorXd const along =
             (first / first.norm()) + (pair.correlation < 0 ? -1.0 : 1.0) * second / second.norm();
@@ -100,8 +100,7 @@ std::vector<Tradeoff> tradeoffs(ensemble::Campaign const& campaign, Assessment c
                 continue;
             double const noise = witness.error * witness.error * static_cast<double>(along.size());
             double const covariance = along.dot(witness.values);
-            double const removed =
-                covariance * covariance / (along.squaredNorm() * (variance + noise));
+            double const removed = covariance * covariance / (along.squaredNorm() * (variance + noise));
             if (removed > std::max(worth_saying, pair.variance_removed)) {
                 pair.experiment = witness.response.experiment;
                 pair.response = witness.response.target.response_index;

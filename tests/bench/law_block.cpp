@@ -1,7 +1,7 @@
 #include "tests/bench/law_block.hpp"
 
 #include "demens/contact/laws.hpp"
-#include "demens/dem/law_stages.hpp"
+#include "src/dem/cpu/law_stages.hpp"
 #include "tests/bench/interleaved.hpp"
 #include "tests/bench/replica.hpp"
 

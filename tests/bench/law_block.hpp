@@ -1,7 +1,7 @@
 #pragma once
 
 #include "demens/contact/model.hpp"
-#include "demens/dem/contact_block.hpp"
+#include "src/dem/cpu/contact_block.hpp"
 
 #include <string>
 #include <vector>

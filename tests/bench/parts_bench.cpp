@@ -2,10 +2,10 @@
 #include "tests/bench/law_block.hpp"
 #include "tests/bench/replica.hpp"
 
-#include "demens/dem/block_transfer.hpp"
-#include "demens/dem/contact_block.hpp"
-#include "demens/dem/law_stages.hpp"
-#include "demens/dem/neighbours.hpp"
+#include "src/dem/cpu/block_transfer.hpp"
+#include "src/dem/cpu/contact_block.hpp"
+#include "src/dem/cpu/law_stages.hpp"
+#include "src/dem/cpu/neighbours.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -3,7 +3,7 @@
 #include "demens/base/error.hpp"
 #include "demens/base/random.hpp"
 #include "demens/shape/packing.hpp"
-#include "support/meshes.hpp"
+#include "tests/support/meshes.hpp"
 
 #include <algorithm>
 #include <cmath>

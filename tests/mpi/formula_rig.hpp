@@ -61,7 +61,8 @@ inline rig::RunResult run_formula(rig::RunInput const& input, rig::RunHooks cons
             snapshot.radius.push_back(0.0625);
         }
         snapshot.walls = {{0, 0, 0, 1, 1, 1}};
-        snapshot.wall_lines.assign(static_cast<std::size_t>(result.particles), {0, 0.5, 1, x > 0.5 ? 2.0 : 3.0, 4, 5});
+        snapshot.wall_lines.assign(static_cast<std::size_t>(result.particles),
+                                   {0, 0.5, 1, x > 0.5 ? 2.0 : 3.0, 4, 5});
         result.snapshots.push_back(std::move(snapshot));
     }
     return result;

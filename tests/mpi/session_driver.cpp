@@ -7,7 +7,7 @@
 //   dump FILE                    results as text, every bit of them; without what depends on the clock
 //   status FILE
 // Exit codes as those of demens: 0, 2 bad input, 75 drained, 1 other.
-#include "formula_rig.hpp"
+#include "tests/mpi/formula_rig.hpp"
 
 #include "demens/base/error.hpp"
 #include "ensemble/status.hpp"

@@ -1,4 +1,4 @@
-#include "formula_rig.hpp"
+#include "tests/mpi/formula_rig.hpp"
 
 #include "ensemble/file/hdf5.hpp"
 #include "ensemble/mpi/agreement.hpp"

@@ -1,6 +1,6 @@
 // Beds that several ranks share: nothing is lost, momentum and energy are kept, and as long as rounding has
 // not grown the places are those of one rank.
-#include "team_setup.hpp"
+#include "tests/mpi/team_setup.hpp"
 
 #include "demens/base/random.hpp"
 #include "demens/shape/packing.hpp"

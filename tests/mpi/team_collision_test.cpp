@@ -1,6 +1,6 @@
 // Single collisions of spheres that two ranks own, against the same ones of one rank; and hardly any
 // particles.
-#include "team_setup.hpp"
+#include "tests/mpi/team_setup.hpp"
 
 namespace {
 

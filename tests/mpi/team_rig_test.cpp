@@ -1,5 +1,5 @@
 // The Draw Down rig on several ranks: what it measures differs from one rank by no more than by the packing.
-#include "team_setup.hpp"
+#include "tests/mpi/team_setup.hpp"
 
 #include "tests/support/small_drawdown.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "support/reference_loop.hpp"
+#include "tests/support/reference_loop.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "support/impact.hpp"
+#include "tests/support/impact.hpp"
 
 #include <vector>
 

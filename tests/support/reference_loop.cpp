@@ -1,6 +1,6 @@
-#include "support/reference_loop.hpp"
+#include "tests/support/reference_loop.hpp"
 
-#include "demens/dem/mesh_contacts.hpp"
+#include "src/dem/cpu/mesh_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "demens/dem/decomposition/team.hpp"
+#include "demens/dem/team.hpp"
 
 #include <algorithm>
 #include <barrier>

@@ -1,6 +1,6 @@
 // Cohesion against its closed forms: force over distance, pull-off, where it ends, and what it does to
 // friction.
-#include "support/pull.hpp"
+#include "tests/support/pull.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The energy ledger closes: every change of energy is accounted for, at the default time step.
 #include "demens/base/random.hpp"
-#include "support/impact.hpp"
+#include "tests/support/impact.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Impact of one or two spheres: Chung and Ooi 2011, Granular Matter 13:643, tests 1 to 8.
-#include "support/impact.hpp"
+#include "tests/support/impact.hpp"
 
 #include <gtest/gtest.h>
 

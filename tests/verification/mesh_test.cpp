@@ -1,7 +1,7 @@
 // Meshes against the shapes that they stand for.
 #include "demens/base/random.hpp"
-#include "support/impact.hpp"
-#include "support/meshes.hpp"
+#include "tests/support/impact.hpp"
+#include "tests/support/meshes.hpp"
 
 #include <gtest/gtest.h>
 

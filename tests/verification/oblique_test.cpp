@@ -1,5 +1,5 @@
 // Oblique impact of every tangential law against a fine-step integration of the same law, written out here.
-#include "support/impact.hpp"
+#include "tests/support/impact.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The engine against the plain loop over all pairs, for every combination of laws.
 #include "demens/base/random.hpp"
-#include "support/meshes.hpp"
-#include "support/motion.hpp"
-#include "support/reference_loop.hpp"
+#include "tests/support/meshes.hpp"
+#include "tests/support/motion.hpp"
+#include "tests/support/reference_loop.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Closed forms of sliding and rolling on a plane, and of rest.
 #include "demens/base/random.hpp"
 #include "demens/dem/simulation.hpp"
-#include "support/impact.hpp"
+#include "tests/support/impact.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Walls that move: their surface velocity enters the contact, and what they feel balances what they do.
 #include "demens/base/random.hpp"
-#include "support/impact.hpp"
+#include "tests/support/impact.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,7 @@
 namespace demens {
 
 //! Value of one option: a number, an integer, a switch, a word, a vector or a list of words.
-using OptionValue =
-    std::variant<double, std::int64_t, bool, std::string, Vector3, std::vector<std::string>>;
+using OptionValue = std::variant<double, std::int64_t, bool, std::string, Vector3, std::vector<std::string>>;
 
 //! What one key of an input table means; parsers, documentation and checks are all made from it.
 struct OptionSpec
@@ -26,7 +25,8 @@ struct OptionSpec
     double lower = -std::numeric_limits<double>::infinity(); //!< smallest allowed number, inclusive
     double upper = std::numeric_limits<double>::infinity();  //!< largest allowed number, inclusive
     std::vector<std::string> choices = {};                   //!< allowed words; empty: any
-    //! The word must name such an entry: "material", "size_distribution", or the key of tables of the same rig.
+    //! The word must name such an entry: "material", "size_distribution", or the key of tables of the same
+    //! rig.
     std::string names_entry_of = {};
     bool names_file = false; //!< the word names a file, whose content goes with the input
 };
@@ -42,8 +42,8 @@ struct TableKind
 //! Tables inside a table, any number of them: `[[experiment.wall]]`.
 struct TableSpec
 {
-    std::string key; //!< e.g. `wall`
-    std::string doc; //!< one line
+    std::string key;                      //!< e.g. `wall`
+    std::string doc;                      //!< one line
     std::vector<OptionSpec> options = {}; //!< keys of all kinds; with `name` entries are told apart by it
     std::string kind_key = {};            //!< key that chooses the kind; empty: there is one kind only
     std::string default_kind = {};        //!< empty: the author must choose

@@ -2,17 +2,17 @@
 
 #include "demens/contact/laws.hpp"
 #include "demens/contact/model.hpp"
-#include "demens/dem/contact_block.hpp"
-#include "demens/dem/contact_list.hpp"
-#include "demens/dem/contact_renewal.hpp"
-#include "demens/dem/decomposition/decomposition.hpp"
-#include "demens/dem/energy_meter.hpp"
-#include "demens/dem/law_stages.hpp"
-#include "demens/dem/neighbours.hpp"
 #include "demens/dem/particles.hpp"
 #include "demens/dem/periods.hpp"
 #include "demens/dem/wall.hpp"
 #include "demens/dem/wall_motion.hpp"
+#include "src/dem/cpu/contact_block.hpp"
+#include "src/dem/cpu/contact_list.hpp"
+#include "src/dem/cpu/contact_renewal.hpp"
+#include "src/dem/cpu/decomposition/decomposition.hpp"
+#include "src/dem/cpu/energy_meter.hpp"
+#include "src/dem/cpu/law_stages.hpp"
+#include "src/dem/cpu/neighbours.hpp"
 
 #include <cstdint>
 #include <map>

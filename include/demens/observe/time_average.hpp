@@ -19,7 +19,8 @@ struct Estimate
 double autocorrelation_time(std::vector<double> const& samples);
 
 //! Mean of equally spaced, correlated samples. Its standard error is that of as many independent samples as
-//! the run holds autocorrelation times twice over; with fewer than two of these, it is the standard deviation.
+//! the run holds autocorrelation times twice over; with fewer than two of these, it is the standard
+//! deviation.
 Estimate mean_of(std::vector<double> const& samples);
 //! Standard deviation of equally spaced, correlated samples; its standard error follows from that of the mean
 //! squared deviation.

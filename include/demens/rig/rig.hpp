@@ -2,8 +2,8 @@
 
 #include "demens/base/options.hpp"
 #include "demens/contact/model.hpp"
-#include "demens/dem/decomposition/team.hpp"
 #include "demens/dem/energy.hpp"
+#include "demens/dem/team.hpp"
 #include "demens/observe/snapshot.hpp"
 #include "demens/shape/size_distribution.hpp"
 

@@ -1,8 +1,8 @@
-// How many evaluations until a point is within 1 % of the optimum: demens side by side with NLopt's solvers and with a
-// plain Latin hypercube and polynomial. Writes a table in Markdown.
+// How many evaluations until a point is within 1 % of the optimum: demens side by side with NLopt's solvers
+// and with a plain Latin hypercube and polynomial. Writes a table in Markdown.
 //   economy AUGER_TABLE.csv [SEEDS] [[SOLVER] KIND OF SURROGATE...]
-#include "stand_in.hpp"
-#include "test_functions.hpp"
+#include "tests/bench/calibration/test_functions.hpp"
+#include "tests/unit/tao_calib/wave/stand_in.hpp"
 
 #include "tao_calib/design/latin_hypercube.hpp"
 #include "tao_calib/surrogate/polynomial.hpp"
@@ -50,7 +50,6 @@ VectorXd random_point(int factors, RandomStream& random)
     return unit;
 }
 
-
 //! NLopt on the sum of squares from random starts, again and again.
 int with_nlopt(nlopt::algorithm algorithm, TestFunction const& function, double enough, std::uint64_t seed)
 {
@@ -82,18 +81,21 @@ int with_nlopt(nlopt::algorithm algorithm, TestFunction const& function, double 
     return counter.result();
 }
 
-//! A Latin hypercube, one quadratic for each response, and a run at the predicted optimum: the smallest design for
-//! which that run is good enough.
+//! A Latin hypercube, one quadratic for each response, and a run at the predicted optimum: the smallest
+//! design for which that run is good enough.
 int with_polynomial(TestFunction const& function, double enough, std::uint64_t seed)
 {
     int const k = function.factors;
     UnitCube const cube(std::vector<ensemble::Factor>(static_cast<std::size_t>(k), {"x", "x", 0.0, 1.0}), {});
     constexpr int largest = 60; // what more points do not improve is beyond a quadratic
-    for (int n = Polynomial::terms(SurrogateKind::quadratic, k) + 1; n <= largest; n = std::max(n + 2, n * 5 / 4)) {
+    for (int n = Polynomial::terms(SurrogateKind::quadratic, k) + 1; n <= largest;
+         n = std::max(n + 2, n * 5 / 4)) {
         Samples samples;
         samples.points = (maximin_latin_hypercube(n, k, derive_seed(seed, static_cast<std::uint64_t>(n)))
                               .cast<double>()
-                              .array() + 0.5) / n;
+                              .array() +
+                          0.5) /
+                         n;
         samples.weights = VectorXd::Ones(n);
         std::vector<std::unique_ptr<Surrogate>> fits;
         for (int t = 0; t < function.size(); ++t) {
@@ -109,7 +111,8 @@ int with_polynomial(TestFunction const& function, double enough, std::uint64_t s
                                               return VectorXd(
                                                   (values - function.targets).cwiseQuotient(function.scales));
                                           }};
-        auto const minima = distinct_minima(pounders(), problem, cube, spread_points(cube, 10, {}, seed), 0.05);
+        auto const minima =
+            distinct_minima(pounders(), problem, cube, spread_points(cube, 10, {}, seed), 0.05);
         if (function.distance(minima.front().point) <= enough)
             return n + 1;
     }
@@ -144,7 +147,8 @@ int with_demens(std::string const& solver_kind, std::string const& surrogate, Te
     experiment.responses = rig.responses;
     double const none = std::numeric_limits<double>::quiet_NaN();
     for (int t = 0; t < function.size(); ++t)
-        experiment.targets.push_back({names[static_cast<std::size_t>(t)], t, function.targets[t], function.scales[t], none, none});
+        experiment.targets.push_back(
+            {names[static_cast<std::size_t>(t)], t, function.targets[t], function.scales[t], none, none});
     input.experiments = {experiment};
     input.solver.kind = solver_kind;
     if (!surrogate.empty())
@@ -175,10 +179,11 @@ using Method = std::function<int(TestFunction const&, double, std::uint64_t)>;
 std::vector<std::pair<std::string, Method>> competitors()
 {
     std::vector<std::pair<std::string, Method>> methods;
-    for (auto const& [name, algorithm] : {std::pair("BOBYQA", nlopt::LN_BOBYQA), std::pair("COBYLA", nlopt::LN_COBYLA),
-                                          std::pair("Nelder-Mead", nlopt::LN_NELDERMEAD), std::pair("Subplex", nlopt::LN_SBPLX),
-                                          std::pair("PRAXIS", nlopt::LN_PRAXIS), std::pair("DIRECT-L", nlopt::GN_DIRECT_L),
-                                          std::pair("CRS2", nlopt::GN_CRS2_LM)})
+    for (auto const& [name, algorithm] :
+         {std::pair("BOBYQA", nlopt::LN_BOBYQA), std::pair("COBYLA", nlopt::LN_COBYLA),
+          std::pair("Nelder-Mead", nlopt::LN_NELDERMEAD), std::pair("Subplex", nlopt::LN_SBPLX),
+          std::pair("PRAXIS", nlopt::LN_PRAXIS), std::pair("DIRECT-L", nlopt::GN_DIRECT_L),
+          std::pair("CRS2", nlopt::GN_CRS2_LM)})
         methods.push_back({name, [algorithm](TestFunction const& f, double enough, std::uint64_t seed) {
                                return with_nlopt(algorithm, f, enough, seed);
                            }});
@@ -191,7 +196,9 @@ int main(std::vector<std::string> const& arguments)
     int const seeds = arguments.size() > 1 ? std::stoi(arguments[1]) : 11;
     auto methods = competitors();
     std::size_t const others = methods.size();
-    std::vector<std::string> kinds(arguments.begin() + std::min<std::ptrdiff_t>(2, static_cast<std::ptrdiff_t>(arguments.size())), arguments.end());
+    std::vector<std::string> kinds(
+        arguments.begin() + std::min<std::ptrdiff_t>(2, static_cast<std::ptrdiff_t>(arguments.size())),
+        arguments.end());
     if (kinds.empty())
         kinds = {"pounders:"};
     for (auto const& kind : kinds) {

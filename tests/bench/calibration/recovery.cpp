@@ -1,6 +1,6 @@
-// Synthetic campaigns with true factors at random: how often the stated regions hold the truth. Writes a table in
-// Markdown.   recovery [CAMPAIGNS] [KIND OF SURROGATE]
-#include "stand_in.hpp"
+// Synthetic campaigns with true factors at random: how often the stated regions hold the truth. Writes a
+// table in Markdown.   recovery [CAMPAIGNS] [KIND OF SURROGATE]
+#include "tests/unit/tao_calib/wave/stand_in.hpp"
 
 #include "tao_calib/wave/uncertainty.hpp"
 
@@ -24,7 +24,8 @@ double normal(RandomStream& random)
 std::vector<double> random_truth(RandomStream& random)
 {
     while (true) {
-        std::vector<double> const truth{random.uniform(0.1, 1.2), random.uniform(0.1, 1.2), random.uniform(0, 0.6)};
+        std::vector<double> const truth{random.uniform(0.1, 1.2), random.uniform(0.1, 1.2),
+                                        random.uniform(0, 0.6)};
         if (truth[1] <= truth[0])
             return truth;
     }
@@ -34,7 +35,8 @@ int main(std::vector<std::string> const& arguments)
 {
     int const campaigns = arguments.empty() ? 20 : std::stoi(arguments[0]);
     int joint = 0, single = 0;
-    fmt::print("| campaign | runs | true static, kinetic, rolling | best point | misfit of the truth | 90 % region up to "
+    fmt::print("| campaign | runs | true static, kinetic, rolling | best point | misfit of the truth | 90 % "
+               "region up to "
                "| holds it | 95 % intervals that hold |\n|---|---|---|---|---|---|---|---|\n");
     for (int c = 1; c <= campaigns; ++c) {
         RandomStream random(derive_seed(2026, static_cast<std::uint64_t>(c)));
@@ -59,12 +61,14 @@ int main(std::vector<std::string> const& arguments)
         joint += holds;
         single += within;
         auto const& best = assessment.locations().best()->factors;
-        fmt::print("| {} | {} | {:.3f}, {:.3f}, {:.3f} | {:.3f}, {:.3f}, {:.3f} | {:.2f} | {:.2f} | {} | {} of 3 |\n", c,
-                   stand_in.runs(), truth[0], truth[1], truth[2], best[0], best[1], best[2], distance,
+        fmt::print("| {} | {} | {:.3f}, {:.3f}, {:.3f} | {:.3f}, {:.3f}, {:.3f} | {:.2f} | {:.2f} | {} | {} "
+                   "of 3 |\n",
+                   c, stand_in.runs(), truth[0], truth[1], truth[2], best[0], best[1], best[2], distance,
                    known.region_90, holds ? "yes" : "no", within);
         std::fflush(stdout);
     }
-    fmt::print("\nThe joint 90 % region holds the truth in {} of {} campaigns, the 95 % intervals in {} of {} cases.\n",
+    fmt::print("\nThe joint 90 % region holds the truth in {} of {} campaigns, the 95 % intervals in {} of "
+               "{} cases.\n",
                joint, campaigns, single, 3 * campaigns);
     return 0;
 }

@@ -1,4 +1,4 @@
-#include "test_functions.hpp"
+#include "tests/bench/calibration/test_functions.hpp"
 
 #include "demens/base/random.hpp"
 #include "tao_calib/regression/csv_table.hpp"
@@ -13,24 +13,29 @@ namespace demens::bench {
 namespace {
 
 using Eigen::VectorXd;
+using std::numbers::pi;
 using tao_calib::PolynomialModel;
 using tao_calib::Regression;
 using tao_calib::RegressionData;
-using std::numbers::pi;
 
 //! A function whose targets are its own responses at a point, so that the optimum is 0 there.
 TestFunction with_answer(std::string name, std::string origin, VectorXd const& answer, VectorXd const& scales,
                          std::function<VectorXd(VectorXd const&)> responses)
 {
     VectorXd const targets = responses(answer);
-    return {std::move(name), std::move(origin), static_cast<int>(answer.size()), targets, scales,
-            std::move(responses), 0};
+    return {std::move(name),
+            std::move(origin),
+            static_cast<int>(answer.size()),
+            targets,
+            scales,
+            std::move(responses),
+            0};
 }
 
 TestFunction draw_down()
 {
-    return with_answer("draw down", "formula of the size of the published responses", VectorXd{{0.73, 0.45, 0.42}},
-                       VectorXd{{2, 2, 0.3, 0.5}}, [](VectorXd const& u) {
+    return with_answer("draw down", "formula of the size of the published responses",
+                       VectorXd{{0.73, 0.45, 0.42}}, VectorXd{{2, 2, 0.3, 0.5}}, [](VectorXd const& u) {
                            double const s = 0.1 + 1.1 * u[0], k = 0.1 + 1.1 * u[1], r = 0.6 * u[2];
                            return VectorXd{{12 + 14 * std::sqrt(s) + 20 * r - 8 * r * r - 4 * r * s,
                                             36 + 12 * k - 4 * k * k + 5 * r + 2 * s,
@@ -56,9 +61,9 @@ TestFunction auger(std::string const& file)
     for (char const* response : {"aor", "bulk_density", "mass_flow", "na_tke"}) {
         data.response = response;
         data.values = table.column(response);
-        fits->push_back(tao_calib::eliminate_backward(
-                            data, tao_calib::polynomial_terms(PolynomialModel::quadratic, 4))
-                            .regression);
+        fits->push_back(
+            tao_calib::eliminate_backward(data, tao_calib::polynomial_terms(PolynomialModel::quadratic, 4))
+                .regression);
     }
     return with_answer("auger", "regressions of 20 recorded DEM runs (El Kassem et al. 2021)",
                        VectorXd{{0.35, 0.82, 0.2}}, VectorXd{{0.5, 0.003, 0.01, 0.004}},
@@ -86,11 +91,12 @@ TestFunction drum()
 //! Flow stops at high friction and cohesion; the angle goes on rising.
 TestFunction jam()
 {
-    return with_answer("jam", "a flow that stops where friction and cohesion are high", VectorXd{{0.42, 0.3}},
-                       VectorXd{{0.2, 1.0}}, [](VectorXd const& u) {
-                           double const free = std::max(0.0, 1 - 0.9 * u[0] - 0.7 * u[1] * u[1]);
-                           return VectorXd{{4 * std::pow(free, 1.5), 20 + 18 * std::sqrt(u[0] + 0.05) + 6 * u[1]}};
-                       });
+    return with_answer(
+        "jam", "a flow that stops where friction and cohesion are high", VectorXd{{0.42, 0.3}},
+        VectorXd{{0.2, 1.0}}, [](VectorXd const& u) {
+            double const free = std::max(0.0, 1 - 0.9 * u[0] - 0.7 * u[1] * u[1]);
+            return VectorXd{{4 * std::pow(free, 1.5), 20 + 18 * std::sqrt(u[0] + 0.05) + 6 * u[1]}};
+        });
 }
 
 TestFunction decay()
@@ -110,15 +116,25 @@ TestFunction decay()
 //! Residuals (10 (y - x^2), 1.3 - x): the optimum is in a corner, at a distance of 0.3.
 TestFunction rosenbrock()
 {
-    return {"rosenbrock", "residuals with a target out of reach, a curved valley", 2, VectorXd{{0, 1.3}},
+    return {"rosenbrock",
+            "residuals with a target out of reach, a curved valley",
+            2,
+            VectorXd{{0, 1.3}},
             VectorXd::Ones(2),
-            [](VectorXd const& u) { return VectorXd{{10 * (u[1] - u[0] * u[0]), u[0]}}; }, 0.3};
+            [](VectorXd const& u) {
+                return VectorXd{{10 * (u[1] - u[0] * u[0]), u[0]}};
+            },
+            0.3};
 }
 
 //! Branin's sum of squares as its two parts; three optima.
 TestFunction branin()
 {
-    return {"branin", "the two parts of Branin's function, three optima", 2, VectorXd{{0, 0}}, VectorXd{{1, 1}},
+    return {"branin",
+            "the two parts of Branin's function, three optima",
+            2,
+            VectorXd{{0, 0}},
+            VectorXd{{1, 1}},
             [](VectorXd const& u) {
                 double const x = 15 * u[0] - 5, y = 15 * u[1];
                 double const q = y - 5.1 / (4 * pi * pi) * x * x + 5 / pi * x - 6;

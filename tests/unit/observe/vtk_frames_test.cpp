@@ -108,7 +108,8 @@ TEST_F(VtkFramesTest, triangles_of_other_walls_follow)
     EXPECT_EQ(attribute(file, "NumberOfPolys"), 2);
     auto const points = array_of<float>(file, "Points");
     ASSERT_EQ(points.size(), 21u);
-    EXPECT_EQ(std::vector<float>(points.begin() + 12, points.end()), (std::vector<float>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+    EXPECT_EQ(std::vector<float>(points.begin() + 12, points.end()),
+              (std::vector<float>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
     EXPECT_EQ(array_of<std::int64_t>(file, "connectivity"), (std::vector<std::int64_t>{0, 1, 2, 3, 4, 5, 6}));
     EXPECT_EQ(array_of<std::int64_t>(file, "offsets"), (std::vector<std::int64_t>{4, 7}));
 }

@@ -3,7 +3,7 @@
 #include "demens/base/error.hpp"
 #include "report/page.hpp"
 #include "report/picture.hpp"
-#include "sample_campaign.hpp"
+#include "tests/unit/report/sample_campaign.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,10 @@ using nlohmann::json;
 
 namespace {
 
-json sample_document() { return document_of(test::sample_campaign(), test::sample_details); }
+json sample_document()
+{
+    return document_of(test::sample_campaign(), test::sample_details);
+}
 
 } // namespace
 
@@ -116,7 +119,8 @@ TEST(Picture, draws_the_nearest_particle_last_and_keeps_proportions)
 TEST(Picture, has_one_frame_for_all_snapshots_of_a_run)
 {
     auto const pictures = pictures_of(test::sample_details(0).snapshots);
-    // The last column of the second snapshot has sunk by 0.22 m below the floor; 4 % of the height of 1.22 m are room.
+    // The last column of the second snapshot has sunk by 0.22 m below the floor; 4 % of the height of 1.22 m
+    // are room.
     EXPECT_NEAR(pictures[0]["origin"][1].get<double>(), -0.22 - 0.04 * 1.22, 1e-12);
     EXPECT_EQ(pictures[0]["size"], pictures[1]["size"]);
 }
@@ -126,8 +130,9 @@ TEST(Picture, marks_each_particle_with_its_height_in_the_first_snapshot)
     auto const pictures = pictures_of(test::sample_details(0).snapshots);
     for (auto const& picture : pictures) {
         ASSERT_EQ(picture["particles"]["layer"].size(), 600u);
-        EXPECT_EQ(picture["particles"]["layer"].back(), 100); // the last drawn is the top one of the last column
-        EXPECT_EQ(picture["particles"]["layer"][1], 11);      // second of ten in the first column
+        EXPECT_EQ(picture["particles"]["layer"].back(),
+                  100);                                  // the last drawn is the top one of the last column
+        EXPECT_EQ(picture["particles"]["layer"][1], 11); // second of ten in the first column
     }
 }
 
@@ -152,7 +157,8 @@ TEST(Page, no_text_of_the_campaign_can_break_out_of_it)
     auto const page = page_of(sample_document(), "a < b");
     EXPECT_NE(page.find("<title>a &lt; b</title>"), std::string::npos);
     std::size_t closings = 0;
-    for (std::size_t at = page.find("</script>"); at != std::string::npos; at = page.find("</script>", at + 1))
+    for (std::size_t at = page.find("</script>"); at != std::string::npos;
+         at = page.find("</script>", at + 1))
         ++closings;
     EXPECT_EQ(closings, 3u);
 }

@@ -2,7 +2,7 @@
 
 #include "report/document.hpp"
 #include "report/page.hpp"
-#include "sample_campaign.hpp"
+#include "tests/unit/report/sample_campaign.hpp"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "sample_campaign.hpp"
+#include "tests/unit/report/sample_campaign.hpp"
 
 #include <cmath>
 #include <limits>
@@ -40,13 +40,14 @@ ensemble::CampaignInput sample_input()
                           .replicates = 2,
                           .responses = sample_rig().responses,
                           .targets = {{"angle_of_repose_deg", 0, 28.0, 2.0, unknown, 2.0}}}};
-    input.factors = {{.path = "contact.a_a.static_friction", .name = "static_friction", .lower = 0.1, .upper = 1.2},
-                     {.path = "contact.a_a.rolling_friction", .name = "rolling_friction", .lower = 0.0, .upper = 0.6},
-                     {.path = "contact.a_a.cohesion",
-                      .name = "cohesion",
-                      .lower = 1.0,
-                      .upper = 1000.0,
-                      .log_scale = true}};
+    input.factors = {
+        {.path = "contact.a_a.static_friction", .name = "static_friction", .lower = 0.1, .upper = 1.2},
+        {.path = "contact.a_a.rolling_friction", .name = "rolling_friction", .lower = 0.0, .upper = 0.6},
+        {.path = "contact.a_a.cohesion",
+         .name = "cohesion",
+         .lower = 1.0,
+         .upper = 1000.0,
+         .log_scale = true}};
     input.constraints = {{"rolling_friction <= static_friction", {-1, 1, 0}, 0}};
     input.stop.wmse = 0.02;
     return input;
@@ -54,8 +55,9 @@ ensemble::CampaignInput sample_input()
 
 std::vector<std::vector<double>> const& design()
 {
-    static std::vector<std::vector<double>> const points = {
-        {0.2, 0.1, 2.0}, {0.5, 0.3, 20.0}, {0.8, 0.5, 200.0}, {1.1, 0.2, 900.0}, {0.6, 0.25, 30.0}, {0.7, 0.35, 60.0}};
+    static std::vector<std::vector<double>> const points = {{0.2, 0.1, 2.0},   {0.5, 0.3, 20.0},
+                                                            {0.8, 0.5, 200.0}, {1.1, 0.2, 900.0},
+                                                            {0.6, 0.25, 30.0}, {0.7, 0.35, 60.0}};
     return points;
 }
 
@@ -68,7 +70,8 @@ std::vector<double> responses_of(std::vector<double> const& factors, int experim
 
 ensemble::Wave wave_of(int number, std::string const& purpose, int first_point, int points, int first_run)
 {
-    ensemble::Wave wave{.number = number, .purpose = purpose, .runs = {}, .analysis = {}, .wall_time = 0, .groups = 3};
+    ensemble::Wave wave{
+        .number = number, .purpose = purpose, .runs = {}, .analysis = {}, .wall_time = 0, .groups = 3};
     for (int point = first_point; point < first_point + points; ++point)
         for (int experiment = 0; experiment < 2; ++experiment)
             for (int replicate = 0; replicate < 2; ++replicate) {
@@ -106,7 +109,8 @@ void fail(ensemble::RunRecord& run)
 
 void finish_all(ensemble::Wave& wave)
 {
-    for (std::size_t i = 0; i < wave.runs.size(); ++i) finish(wave.runs[i], static_cast<int>(i));
+    for (std::size_t i = 0; i < wave.runs.size(); ++i)
+        finish(wave.runs[i], static_cast<int>(i));
     wave.wall_time = 10.0 * std::ceil(static_cast<double>(wave.runs.size()) / 3);
 }
 
@@ -134,8 +138,10 @@ std::vector<ensemble::NamedArray> sample_analysis()
                 sd.push_back(0.3);
             }
     std::vector<double> history(24, 0.9);
-    for (std::size_t i = 0; i < 4; ++i) history[i] = unknown;
-    for (std::size_t i = 20; i < 24; ++i) history[i] = 0.031;
+    for (std::size_t i = 0; i < 4; ++i)
+        history[i] = unknown;
+    for (std::size_t i = 20; i < 24; ++i)
+        history[i] = 0.031;
     return {array("surrogate/locations", {1}, {5}),
             array("surrogate/kind", {3}, {4, 4, 4}),
             array("surrogate/leave_one_out_rmse", {3}, {0.6, 0.2, 0.7}),
@@ -189,7 +195,8 @@ ensemble::Campaign sample_campaign()
     ensemble::Campaign campaign;
     campaign.input = sample_input();
     campaign.waves = {wave_of(0, "design", 0, 4, 0), wave_of(1, "search", 4, 2, 16)};
-    for (auto& wave : campaign.waves) finish_all(wave);
+    for (auto& wave : campaign.waves)
+        finish_all(wave);
     fail(campaign.waves[0].runs[5]);
     campaign.waves[1].analysis = sample_analysis();
     campaign.ended = "no better point in 4 waves";
@@ -201,7 +208,8 @@ ensemble::Campaign campaign_under_way()
     ensemble::Campaign campaign;
     campaign.input = sample_input();
     campaign.waves = {wave_of(0, "design", 0, 4, 0)};
-    for (std::size_t i = 0; i < 5; ++i) finish(campaign.waves[0].runs[i], static_cast<int>(i));
+    for (std::size_t i = 0; i < 5; ++i)
+        finish(campaign.waves[0].runs[i], static_cast<int>(i));
     fail(campaign.waves[0].runs[3]);
     return campaign;
 }
@@ -232,7 +240,9 @@ ensemble::RunDetails sample_details(int run)
                     for (auto* still : {&snapshot.vy, &snapshot.vz, &snapshot.wx, &snapshot.wy, &snapshot.wz})
                         still->push_back(0);
                 }
-        snapshot.walls = {{0, 0, 0, 0, 0.5, 1.2}, {1.2, 0, 0, 1.2, 0.5, 1.2}, {0, 0, 0, 1.2, 0.5, 0},
+        snapshot.walls = {{0, 0, 0, 0, 0.5, 1.2},
+                          {1.2, 0, 0, 1.2, 0.5, 1.2},
+                          {0, 0, 0, 1.2, 0.5, 0},
                           {0, 0, 0, 1.2, 0, 1.2}};
         snapshot.wall_lines = {{0, 0.25, 0, 0.6, 0.25, 0.3}, {0.6, 0.25, 0.3, 1.2, 0.25, 0}};
         details.snapshots.push_back(snapshot);

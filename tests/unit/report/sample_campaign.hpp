@@ -4,10 +4,12 @@
 
 namespace demens::report::test {
 
-//! A campaign with known numbers: two experiments, two replicates each, three factors, three targets; a design of
-//! four points with one failed run, then a search wave of two points with an analysis; point 4 is the best.
+//! A campaign with known numbers: two experiments, two replicates each, three factors, three targets; a
+//! design of four points with one failed run, then a search wave of two points with an analysis; point 4 is
+//! the best.
 ensemble::Campaign sample_campaign();
-//! The same while its first wave is under way: five of 16 runs have ended, one of them failed, nothing is analysed.
+//! The same while its first wave is under way: five of 16 runs have ended, one of them failed, nothing is
+//! analysed.
 ensemble::Campaign campaign_under_way();
 //! The same before any run is planned.
 ensemble::Campaign new_campaign();

@@ -35,7 +35,8 @@ VectorXd const simulated{{28.45, 26.01, 2.441}}; // Table 3 of the paper
 TEST(ObjectiveKinds, RootSumOfSquaresWithTheRedundantFourthResidual)
 {
     // Deviations -0.07, -0.07, 0.001 and (28.45 - 26.01) - 2.44 = 0.
-    EXPECT_NEAR(inconel("root_sum_of_squares", true).value(simulated), std::sqrt(0.07 * 0.07 * 2 + 1e-6), 1e-12);
+    EXPECT_NEAR(inconel("root_sum_of_squares", true).value(simulated), std::sqrt(0.07 * 0.07 * 2 + 1e-6),
+                1e-12);
     // Without it 0.5 too much break and 0.5 too little rest energy cost as much as both too much; with it, 1
     // more in the difference counts.
     VectorXd const apart{{29.02, 25.58, 2.44}};
@@ -46,12 +47,14 @@ TEST(ObjectiveKinds, RootSumOfSquaresWithTheRedundantFourthResidual)
 TEST(ObjectiveKinds, RelativeDeviationsOfTheWoodPaper)
 {
     // Spruce by ARSM: 55.1, 1.1, 0.957 for 54.5, 1.2, 0.95: 0.0110 + 0.0833 + 0.0074 = 0.102.
-    Objective const spruce({target("area", 54.5, 1, none), target("sd", 1.2, 1, none), target("r2", 0.95, 1, none)},
-                           {"relative_deviations", {}});
+    Objective const spruce(
+        {target("area", 54.5, 1, none), target("sd", 1.2, 1, none), target("r2", 0.95, 1, none)},
+        {"relative_deviations", {}});
     EXPECT_NEAR(spruce.value(VectorXd{{55.1, 1.1, 0.957}}), 0.102, 5e-4);
     // Poplar: 60.9, 0.79, 0.981 for 60.2, 0.78, 0.989: 0.033.
-    Objective const poplar({target("area", 60.2, 1, none), target("sd", 0.78, 1, none), target("r2", 0.989, 1, none)},
-                           {"relative_deviations", {}});
+    Objective const poplar(
+        {target("area", 60.2, 1, none), target("sd", 0.78, 1, none), target("r2", 0.989, 1, none)},
+        {"relative_deviations", {}});
     EXPECT_NEAR(poplar.value(VectorXd{{60.9, 0.79, 0.981}}), 0.033, 5e-4);
 }
 
@@ -63,7 +66,8 @@ TEST(ObjectiveKinds, WeightedLeastSquaresTakesMeasuredDeviationsWhereGiven)
 
 TEST(ObjectiveKinds, ResidualsOfTheSearchHaveTheMinimumOfTheValueAndTheStatedSlopes)
 {
-    for (char const* kind : {"wmse", "weighted_least_squares", "root_sum_of_squares", "relative_deviations"}) {
+    for (char const* kind :
+         {"wmse", "weighted_least_squares", "root_sum_of_squares", "relative_deviations"}) {
         auto const objective = inconel(kind, true);
         EXPECT_EQ(objective.residual_count(), 4);
         VectorXd const exact{{28.52, 26.08, 2.44}};

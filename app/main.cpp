@@ -1,0 +1,85 @@
+#include "app/command.hpp"
+#include "demens/base/error.hpp"
+#include "ensemble/input/nearest.hpp"
+#include "ensemble/version.hpp"
+
+#include <cstdio>
+#include <fmt/format.h>
+
+namespace {
+
+using namespace demens;
+
+constexpr char const* footer = R"(
+a campaign:
+  demens new FILE.toml                  check it and write FILE.h5
+  mpirun -n N demens FILE.h5            run it, or go on with it; safe to kill and repeat
+  mpirun -n N demens FILE.toml          both in one
+  demens status FILE.h5                 how far it is
+  demens report FILE.h5                 one HTML page with the plots
+  demens replay FILE.h5 --run 17 --frames out/
+
+exit codes:
+  0   done
+  2   bad input: nothing was started, nothing was changed
+  75  stopped as asked (SIGUSR1, SIGTERM, SIGINT): run the same command again to go on
+  1   anything else, e.g. a full disk, or a campaign none of whose runs finish
+)";
+
+//! A file without a subcommand is run; a word that is no file is a misspelt subcommand.
+int run_or_suggest(CLI::App const& program, std::string const& file)
+{
+    auto const extension = std::filesystem::path(file).extension();
+    if (extension == ".toml" || extension == ".h5" || std::filesystem::exists(file))
+        return cli::run_campaign(file);
+    std::vector<std::string> names;
+    for (auto const* command : program.get_subcommands([](auto const*) { return true; }))
+        names.push_back(command->get_name());
+    throw InputError(fmt::format("\"{}\" is neither a subcommand nor a file; {}", file,
+                                 ensemble::input::suggestion(file, names)));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    CLI::App program{"Calibrates discrete element models of granular materials from bulk experiments.",
+                     "demens"};
+    program.set_version_flag("--version",
+                             fmt::format("demens {} ({})", ensemble::program_version, ensemble::git_commit));
+    program.footer(footer);
+    program.require_subcommand(0, 1);
+    cli::Action action;
+    std::string file;
+    program.add_option("FILE", file, "campaign file or TOML file to run");
+    cli::add_new(program, action);
+    cli::add_run(program, action);
+    cli::add_status(program, action);
+    cli::add_report(program, action);
+    cli::add_replay(program, action);
+    cli::add_rigs(program, action);
+    cli::add_laws(program, action);
+    cli::add_keys(program, action);
+    cli::add_fit(program, action);
+    cli::add_scale(program, action);
+    try {
+        program.parse(argc, argv);
+    } catch (CLI::ParseError const& error) {
+        return program.exit(error) == 0 ? cli::success : cli::bad_input;
+    }
+
+    try {
+        if (action)
+            return action();
+        if (!file.empty())
+            return run_or_suggest(program, file);
+        fmt::print("{}", program.help());
+        return cli::bad_input;
+    } catch (InputError const& error) {
+        fmt::print(stderr, "demens: error: {}\n", error.what());
+        return cli::bad_input;
+    } catch (std::exception const& error) {
+        fmt::print(stderr, "demens: error: {}\n", error.what());
+        return cli::failure;
+    }
+}

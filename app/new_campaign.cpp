@@ -1,0 +1,133 @@
+#include "app/new_campaign.hpp"
+
+#include "app/command.hpp"
+#include "demens/base/error.hpp"
+#include "ensemble/session.hpp"
+#include "ensemble/storage/lock.hpp"
+#include "ensemble/storage/parts.hpp"
+#include "tao_calib/design/design.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace demens::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using ensemble::CampaignInput;
+
+enum class IfExists
+{
+    refuse,
+    replace
+};
+
+//! Puts a new campaign file in the place of an old one that nobody works on.
+void replace_campaign(fs::path const& file, CampaignInput const& input)
+{
+    ensemble::CampaignLock const lock(file, ensemble::CampaignLock::Kind::session);
+    fs::path replacement = file;
+    replacement += ".replacement";
+    fs::remove(replacement);
+    ensemble::create_campaign_file(replacement, input);
+    ensemble::Parts(file).remove();
+    fs::rename(replacement, file);
+}
+
+int make_new(fs::path const& toml, fs::path const& file, IfExists if_exists)
+{
+    auto const input = read_checked(toml);
+    if (if_exists == IfExists::replace && fs::exists(file))
+        replace_campaign(file, input);
+    else if (fs::exists(file))
+        throw InputError(
+            fmt::format("{}: exists already; give another name with --output, or --force to lose what "
+                        "it holds",
+                        file.string()));
+    else
+        ensemble::create_campaign_file(file, input);
+    fmt::print("wrote {}; run it with: mpirun -n N demens {}\n", file.string(), file.string());
+    return success;
+}
+
+bool same_files(rig::Files const& a, rig::Files const& b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](auto const& f, auto const& g) {
+        return f.first == g.first && *f.second == *g.second;
+    });
+}
+
+} // namespace
+
+fs::path default_campaign_file(fs::path const& toml)
+{
+    auto file = toml;
+    return file.replace_extension(".h5");
+}
+
+CampaignInput read_checked(fs::path const& toml)
+{
+    auto input = CampaignInput::from_file(toml);
+    tao_calib::Design design;
+    try {
+        design = tao_calib::plan_design(input.design, input.factors, input.constraints, input.seed);
+    } catch (InputError const& error) {
+        throw InputError(fmt::format("{}: {}", toml.string(), error.what()));
+    }
+    int runs_per_point = 0;
+    for (auto const& experiment : input.experiments)
+        runs_per_point += experiment.replicates;
+    auto const runs = design.points.rows() * runs_per_point;
+    if (runs > input.stop.runs)
+        throw InputError(
+            fmt::format("{}: the design has {} points and needs {} runs, but [stop] runs = {}; raise it or "
+                        "choose a smaller design",
+                        toml.string(), design.points.rows(), runs, input.stop.runs));
+    fmt::print("{}: {} factors, {} experiments; the design has {} points, {} runs\n", input.name,
+               input.factors.size(), input.experiments.size(), design.points.rows(), runs);
+    for (auto const& warning : input.warnings())
+        fmt::print("  warning: {}\n", warning);
+    for (auto const& note : design.notes)
+        fmt::print("  {}\n", note);
+    return input;
+}
+
+void make_or_accept(fs::path const& toml, fs::path const& campaign_file)
+{
+    if (!fs::exists(campaign_file)) {
+        ensemble::create_campaign_file(campaign_file, read_checked(toml));
+        return;
+    }
+    auto const input = CampaignInput::from_file(toml);
+    auto const stored = ensemble::read_campaign_file(campaign_file).input;
+    bool const same_text = stored.text() == input.text() || stored.resolved_text() == input.resolved_text();
+    if (!same_text || !same_files(stored.files(), input.files()))
+        throw InputError(
+            fmt::format("{0}: was made of another input than {1} is now; run {0} to go on with it, or make "
+                        "a new one with: demens new {1} --output OTHER.h5",
+                        campaign_file.string(), toml.string()));
+}
+
+void add_new(CLI::App& program, Action& action)
+{
+    struct Options
+    {
+        std::string toml, output;
+        bool force = false;
+    };
+    auto options = std::make_shared<Options>();
+    auto* command = program.add_subcommand("new", "check a TOML file and write its campaign file");
+    command->add_option("FILE.toml", options->toml, "the campaign as its author writes it")->required();
+    command->add_option("-o,--output", options->output, "campaign file to write; default FILE.h5");
+    command->add_flag("--force", options->force, "replace an existing campaign file and lose what it holds");
+    command->callback([options, &action] {
+        action = [options] {
+            return make_new(options->toml,
+                            options->output.empty() ? default_campaign_file(options->toml)
+                                                    : fs::path(options->output),
+                            options->force ? IfExists::replace : IfExists::refuse);
+        };
+    });
+}
+
+} // namespace demens::cli

@@ -1,0 +1,45 @@
+#include "app/command.hpp"
+#include "ensemble/status.hpp"
+#include "report/report.hpp"
+
+#include <fmt/format.h>
+
+namespace demens::cli {
+
+void add_status(CLI::App& program, Action& action)
+{
+    auto file = std::make_shared<std::string>();
+    auto* command =
+        program.add_subcommand("status", "waves, runs done, running and failed, best fit so far, time left");
+    command->add_option("FILE.h5", *file, "campaign file; may be running")->required();
+    command->callback([file, &action] {
+        action = [file] {
+            fmt::print("{}", ensemble::status_text(*file));
+            return success;
+        };
+    });
+}
+
+void add_report(CLI::App& program, Action& action)
+{
+    struct Options
+    {
+        std::string file, output;
+    };
+    auto options = std::make_shared<Options>();
+    auto* command = program.add_subcommand("report", "write one HTML page with tables and plots");
+    command->add_option("FILE.h5", options->file, "campaign file; may be running")->required();
+    command->add_option("-o,--output", options->output, "page to write; default FILE.html");
+    command->callback([options, &action] {
+        action = [options] {
+            std::filesystem::path page = options->output;
+            if (page.empty())
+                page = std::filesystem::path(options->file).replace_extension(".html");
+            report::write_report(options->file, page);
+            fmt::print("wrote {}\n", page.string());
+            return success;
+        };
+    });
+}
+
+} // namespace demens::cli

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "demens/dem/team.hpp"
+
+#include <cstring>
+#include <type_traits>
+
+namespace demens::dem {
+
+//! Appends plain values to bytes.
+class ByteWriter
+{
+  public:
+    explicit ByteWriter(Team::Bytes& bytes) : bytes_(bytes) {}
+
+    template <class T>
+    void put(T const* values, std::size_t count)
+    {
+        static_assert(std::is_trivially_copyable_v<T>);
+        auto const* from = reinterpret_cast<std::byte const*>(values);
+        bytes_.insert(bytes_.end(), from, from + count * sizeof(T));
+    }
+    template <class T>
+    void put(T const& value)
+    {
+        put(&value, 1);
+    }
+
+  private:
+    Team::Bytes& bytes_;
+};
+
+//! Takes them out again, in the same order.
+class ByteReader
+{
+  public:
+    explicit ByteReader(Team::Bytes const& bytes) : bytes_(bytes) {}
+
+    bool at_end() const { return at_ == bytes_.size(); }
+
+    template <class T>
+    void get(T* values, std::size_t count)
+    {
+        static_assert(std::is_trivially_copyable_v<T>);
+        if (count > 0)
+            std::memcpy(static_cast<void*>(values), bytes_.data() + at_, count * sizeof(T));
+        at_ += count * sizeof(T);
+    }
+    template <class T>
+    T get()
+    {
+        T value;
+        get(&value, 1);
+        return value;
+    }
+    //! What is left.
+    Team::Bytes rest() const { return {bytes_.begin() + static_cast<std::ptrdiff_t>(at_), bytes_.end()}; }
+
+  private:
+    Team::Bytes const& bytes_;
+    std::size_t at_ = 0;
+};
+
+} // namespace demens::dem

@@ -1,0 +1,88 @@
+#include "src/dem/cpu/decomposition/ghost_exchange.hpp"
+
+#include "src/dem/cpu/decomposition/particle_parcels.hpp"
+
+#include <map>
+
+namespace demens::dem {
+
+void GhostExchange::rebuild(Team& team, Bisection const& boxes, Particles& particles, double reach)
+{
+    std::map<int, std::vector<std::uint32_t>> near; // by rank
+    std::size_t const owned = particles.size();
+    int const here = team.rank();
+    for (std::uint32_t i = 0; i < owned; ++i) {
+        Place const& place = particles.place[i];
+        double const distance = place.radius + reach;
+        if (boxes.is_deep_inside(here, place, distance))
+            continue;
+        boxes.for_each_near(place, distance, [&](int rank) {
+            if (rank != here)
+                near[rank].push_back(i);
+        });
+    }
+
+    std::vector<Team::Parcel> parcels;
+    std::map<int, Team::Link> links;
+    sent_.clear();
+    for (auto const& [rank, which] : near) {
+        ByteWriter out(parcels.emplace_back(Team::Parcel{rank, {}}).bytes);
+        write_particles(out, particles, which, Loads::stay);
+        links[rank] = {rank, record * sent_.size(), record * which.size(), 0, 0};
+        sent_.insert(sent_.end(), which.begin(), which.end());
+    }
+    for (auto const& parcel : team.exchange(parcels)) {
+        ByteReader in(parcel.bytes);
+        std::size_t const before = particles.size() - owned;
+        auto const count = append_particles(in, particles, Loads::stay);
+        auto& link = links[parcel.rank];
+        link.rank = parcel.rank, link.in_begin = record * before, link.in_count = record * count;
+    }
+    particles.ghosts = particles.size() - owned;
+    received_.clear();
+    for (std::size_t k = owned; k < particles.size(); ++k)
+        received_.push_back(static_cast<std::uint32_t>(k));
+    links_.clear();
+    for (auto const& [rank, link] : links)
+        links_.push_back(link);
+    out_.resize(record * sent_.size());
+    in_.resize(record * received_.size());
+}
+
+void GhostExchange::renumber(std::span<std::uint32_t const> new_number)
+{
+    for (auto* numbers : {&sent_, &received_})
+        for (std::uint32_t& k : *numbers)
+            k = new_number[k];
+}
+
+void GhostExchange::begin(Team& team, Particles const& particles)
+{
+    double* to = out_.data();
+    for (std::uint32_t const k : sent_) {
+        Place const& p = particles.place[k];
+        Motion const& m = particles.motion[k];
+        to[0] = p.x, to[1] = p.y, to[2] = p.z;
+        to[3] = m.vx, to[4] = m.vy, to[5] = m.vz;
+        to[6] = m.wx, to[7] = m.wy, to[8] = m.wz;
+        to += record;
+    }
+    team.begin(links_, out_.data(), in_.data());
+}
+
+void GhostExchange::finish(Team& team, Particles& particles)
+{
+    team.finish();
+    double const* from = in_.data();
+    for (std::uint32_t const k : received_) {
+        Place& p = particles.place[k];
+        Motion& m = particles.motion[k];
+        p.x = from[0], p.y = from[1], p.z = from[2];
+        m.vx = from[3], m.vy = from[4], m.vz = from[5];
+        m.wx = from[6], m.wy = from[7], m.wz = from[8];
+        particles.load[k] = {};
+        from += record;
+    }
+}
+
+} // namespace demens::dem

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "src/dem/cpu/decomposition/bisection.hpp"
+
+#include <span>
+#include <vector>
+
+namespace demens::dem {
+
+//! Keeps copies of the particles that come near the boxes of other ranks where those are.
+class GhostExchange
+{
+  public:
+    //! Chooses the particles that may meet one of another rank, whose reach beyond their radius is at most
+    //! `reach` [m], sends them, and appends those that come as ghosts. Collective.
+    void rebuild(Team& team, Bisection const& boxes, Particles& particles, double reach);
+    //! After the particles were put into another order: the new number of each.
+    void renumber(std::span<std::uint32_t const> new_number);
+
+    //! Sends the places and motions of now, as far as they change.
+    void begin(Team& team, Particles const& particles);
+    //! The ghosts are where their particles are.
+    void finish(Team& team, Particles& particles);
+
+  private:
+    static constexpr std::size_t record = 9; //!< numbers of a particle that change: place, velocity, spin
+
+    std::vector<std::uint32_t> sent_, received_; //!< numbers of particles, rank by rank
+    std::vector<Team::Link> links_;
+    std::vector<double> out_, in_;
+};
+
+} // namespace demens::dem

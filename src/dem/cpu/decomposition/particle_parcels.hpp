@@ -1,0 +1,24 @@
+#pragma once
+
+#include "demens/dem/particles.hpp"
+#include "src/dem/cpu/decomposition/byte_stream.hpp"
+
+#include <span>
+
+namespace demens::dem {
+
+//! Whether loads travel with the particles: a particle that is to be moved on needs none, the next step
+//! computes them anew.
+enum class Loads
+{
+    stay,
+    travel
+};
+
+//! Appends some of the particles, as `append_particles` reads them.
+void write_particles(ByteWriter& out, Particles const& particles, std::span<std::uint32_t const> which,
+                     Loads loads);
+//! Appends what was written; returns how many.
+std::size_t append_particles(ByteReader& in, Particles& particles, Loads loads);
+
+} // namespace demens::dem

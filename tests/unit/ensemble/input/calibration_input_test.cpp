@@ -1,0 +1,113 @@
+// The sections of a campaign that say how it is calibrated: screening, objective, transforms.
+#include "ensemble/input/campaign_input.hpp"
+
+#include "tests/unit/ensemble/input/test_rigs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace demens::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+ensemble::CampaignInput read(std::string const& text)
+{
+    return ensemble::CampaignInput::from_text(text, "test.toml", rigs());
+}
+
+std::string message_about(std::string const& text)
+{
+    try {
+        read(text);
+    } catch (InputError const& error) {
+        return error.what();
+    }
+    return {};
+}
+
+std::string with(std::string const& section)
+{
+    return good_campaign() + "\n" + section;
+}
+
+std::string const flow = "target.flow_kg_s = { value = 4.83, scale = 0.3 }";
+
+std::string with_flow(std::string const& members)
+{
+    return replaced(good_campaign(), flow,
+                    "target.flow_kg_s = { value = 4.83, scale = 0.3, " + members + " }");
+}
+
+TEST(ScreeningInput, IsReadAndWrittenAgain)
+{
+    auto const text = "[screening]\npoints = 4\nsignificance = 0.1\ngenerators = [\"C=AB\"]\n";
+    auto const campaign = read(with(text));
+    EXPECT_EQ(campaign.screening.points, 4);
+    EXPECT_EQ(campaign.screening.centre_repetitions, 1);
+    EXPECT_EQ(campaign.screening.significance, 0.1);
+    EXPECT_EQ(campaign.screening.generators, std::vector<std::string>{"C=AB"});
+    auto const again = read(campaign.resolved_text());
+    EXPECT_EQ(again.screening.generators, campaign.screening.generators);
+    EXPECT_EQ(again.resolved_text(), campaign.resolved_text());
+}
+
+TEST(ScreeningInput, NeedsAPowerOfTwoThatTellsTheFactorsApart)
+{
+    EXPECT_THAT(message_about(with("[screening]\npoints = 6\n")), HasSubstr("must be a power of 2"));
+    EXPECT_THAT(message_about(with("[screening]\npoints = 64\n")), HasSubstr("the screening needs 195 runs"));
+    EXPECT_THAT(
+        message_about(replaced(with("[screening]\npoints = 4\n"), "kind = \"latin_hypercube\"\npoints = 12",
+                               "kind = \"table\"\ntable = [[0.5, 0.4, 1e7]]")),
+        HasSubstr("cannot go before a [design] with a table"));
+}
+
+TEST(ObjectiveInput, ReadsCombinationsOfTargets)
+{
+    auto const campaign =
+        read(with("[objective]\nkind = \"root_sum_of_squares\"\ncombinations = [\"2*angle_deg - "
+                  "drop.rebound = flow_kg_s\"]\n"));
+    EXPECT_EQ(campaign.objective.kind, "root_sum_of_squares");
+    ASSERT_EQ(campaign.objective.combinations.size(), 1u);
+    EXPECT_EQ(campaign.objective.combinations[0].coefficients, (std::vector<double>{2, 0, -1}));
+    EXPECT_EQ(campaign.objective.combinations[0].target, 1);
+    EXPECT_EQ(read(campaign.resolved_text()).resolved_text(), campaign.resolved_text());
+}
+
+TEST(ObjectiveInput, SaysWhatIsWrong)
+{
+    EXPECT_THAT(message_about(with("[objective]\ncombinations = [\"angle_deg - flow\"]\n")),
+                HasSubstr("write a sum of responses, = and a target"));
+    EXPECT_THAT(message_about(with("[objective]\ncombinations = [\"angel_deg = flow_kg_s\"]\n")),
+                HasSubstr("\"angel_deg\" has no target"));
+    EXPECT_THAT(message_about(replaced(with("[objective]\nkind = \"relative_deviations\"\n"),
+                                       "{ value = 0.4, scale = 0.1 }", "{ value = 0, scale = 0.1 }")),
+                HasSubstr("relative deviations need targets other than 0, but that of drop.rebound is 0"));
+}
+
+TEST(TransformInput, NeedsWhatItsFormulaNeeds)
+{
+    auto const campaign = read(with_flow("transform = \"logit\", lower = 0, upper = 9"));
+    EXPECT_EQ(campaign.experiments[0].targets[1].transform, "logit");
+    EXPECT_EQ(campaign.experiments[0].targets[1].upper, 9);
+    EXPECT_EQ(read(campaign.resolved_text()).resolved_text(), campaign.resolved_text());
+    EXPECT_THAT(message_about(with_flow("transform = \"logit\", lower = 0")), HasSubstr("upper is missing"));
+    EXPECT_THAT(message_about(with_flow("transform = \"log\", lower = 0")),
+                HasSubstr("is used by transform = \"logit\" alone"));
+    EXPECT_THAT(message_about(with_flow("transform = \"logit\", lower = 5, upper = 9")),
+                HasSubstr("must be between lower = 5 and upper = 9"));
+    EXPECT_THAT(message_about(with_flow("transform = \"root\"")), HasSubstr("log"));
+}
+
+TEST(InactiveValue, LiesWithinTheBounds)
+{
+    std::string const bounds = "name = \"mu_k\"\nlower = 0.1\nupper = 1.2";
+    EXPECT_EQ(
+        read(replaced(good_campaign(), bounds, bounds + "\ninactive_value = 0.3")).factors[1].inactive_value,
+        0.3);
+    EXPECT_THAT(message_about(replaced(good_campaign(), bounds, bounds + "\ninactive_value = 1.3")),
+                HasSubstr("must be between lower = 0.1 and upper = 1.2"));
+}
+
+} // namespace
+} // namespace demens::test

@@ -1,0 +1,247 @@
+#include "tao_calib/summary.hpp"
+#include "tests/unit/tao_calib/wave/stand_in.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+namespace demens::tao_calib {
+namespace {
+
+using Points = std::vector<std::vector<double>>;
+
+std::vector<std::string> purposes(ensemble::Campaign const& campaign)
+{
+    std::vector<std::string> result;
+    for (auto const& wave : campaign.waves)
+        result.push_back(wave.purpose);
+    return result;
+}
+
+//! One factor x in [0, 1] with the response 10 x, to be 3; no scatter.
+StandIn line(double tolerance = 0.1)
+{
+    static rig::RigInfo const rig = response_names({"y"});
+    StandIn stand_in([](std::vector<double> const& f, int) { return std::vector<double>{10 * f[0]}; }, {0.0});
+    auto& input = stand_in.campaign.input;
+    input.factors = {{"x", "x", 0.0, 1.0}};
+    ensemble::Experiment experiment;
+    experiment.name = "bench";
+    experiment.rig = &rig;
+    experiment.responses = rig.responses;
+    experiment.targets.resize(1);
+    auto& target = experiment.targets.front();
+    target.response = "y";
+    target.response_index = 0;
+    target.value = 3, target.scale = 1, target.sd = 0.1, target.tolerance = tolerance;
+    input.experiments = {experiment};
+    input.design.points = 4;
+    input.stop.runs = 40;
+    return stand_in;
+}
+
+TEST(WavePlan, FindsKnownFrictionFromScatteringRuns)
+{
+    // Targets that the formula itself gives at (0.9, 0.6, 0.25), with errors of the measurement; every run
+    // scatters.
+    std::vector<double> const truth{0.9, 0.6, 0.25};
+    auto stand_in = draw_down_campaign(truth, {0.5, -0.5, 0.3, 0.8}, 1);
+    stand_in.run_to_the_end();
+    EXPECT_LE(stand_in.runs(), 60);
+    // A published calibration of three frictions took 600 runs to a mean square residual of 1.4 (WMSE .0911).
+    EXPECT_LT(stand_in.stored("optimum/mean_square_residual").front(), 0.1);
+    auto const& interval = stand_in.stored("optimum/factor_interval");
+    auto const& verdict = stand_in.stored("optimum/factor_verdict");
+    auto const& factors = stand_in.campaign.input.factors;
+    for (int j = 0; j < 3; ++j) {
+        EXPECT_LE(interval[2 * j], truth[j]) << factors[j].name;
+        EXPECT_GE(interval[2 * j + 1], truth[j]) << factors[j].name;
+        double const share = (interval[2 * j + 1] - interval[2 * j]) / (factors[j].upper - factors[j].lower);
+        EXPECT_EQ(verdict[j], share < 0.5 ? 0 : share < 0.9 ? 1 : 2);
+    }
+    EXPECT_EQ(verdict[1], 0); // kinetic friction, on which two responses depend most
+    // The runs scatter by 0.4 in the angle of repose, which is what is left to predict.
+    EXPECT_LT(stand_in.stored("surrogate/leave_one_out_rmse")[0], 0.8);
+    EXPECT_GT(stand_in.stored("surrogate/leave_one_out_rmse")[0], 0.2);
+}
+
+TEST(WavePlan, KeepsEveryPointWithinBoundsAndConstraints)
+{
+    // The best static friction would be below the kinetic one, so the optimum lies on the constraint.
+    auto stand_in = draw_down_campaign({0.5, 0.7, 0.2}, {0, 0, 0, 0}, 5);
+    stand_in.run_to_the_end();
+    for (auto const& wave : stand_in.campaign.waves)
+        for (auto const& run : wave.runs) {
+            EXPECT_LE(run.factors[1], run.factors[0]);
+            for (int j = 0; j < 3; ++j) {
+                EXPECT_GE(run.factors[j], stand_in.campaign.input.factors[j].lower);
+                EXPECT_LE(run.factors[j], stand_in.campaign.input.factors[j].upper);
+            }
+        }
+    auto const& predicted = stand_in.stored("optimum/predicted_point");
+    EXPECT_NEAR(predicted[0], predicted[1], 1e-6);
+}
+
+TEST(WavePlan, ContinuesFromAnyWaveAsIfItHadNeverStopped)
+{
+    auto whole = draw_down_campaign({0.9, 0.6, 0.25}, {0, 0, 0, 0}, 3);
+    whole.campaign.input.stop.runs = 30;
+    whole.run_to_the_end();
+    for (std::size_t waves = 0; waves < whole.campaign.waves.size(); ++waves) {
+        auto resumed = whole.campaign;
+        resumed.ended.clear();
+        resumed.waves.resize(waves);
+        Assessment const assessment(resumed, pounders());
+        auto const step = plan_next_wave(resumed, assessment);
+        ASSERT_EQ(step.kind, NextStep::Kind::simulate);
+        EXPECT_EQ(step.purpose, whole.campaign.waves[waves].purpose);
+        Points planned;
+        for (auto const& run : whole.campaign.waves[waves].runs)
+            planned.push_back(run.factors);
+        EXPECT_EQ(step.points, planned); // bit for bit
+    }
+}
+
+TEST(WavePlan, EndsWithinToleranceAfterAConfirmation)
+{
+    auto stand_in = line();
+    stand_in.run_to_the_end();
+    // A line is known after the design: one search, one repetition of the best point.
+    EXPECT_EQ(purposes(stand_in.campaign), (std::vector<std::string>{"design", "search", "confirmation"}));
+    EXPECT_EQ(stand_in.last_step.kind, NextStep::Kind::finish);
+    EXPECT_NE(stand_in.campaign.ended.find("tolerance"), std::string::npos);
+    EXPECT_NEAR(stand_in.stored("optimum/best_point").front(), 0.3, 1e-6);
+    EXPECT_EQ(stand_in.stored("optimum/best_repetitions").front(), 2);
+    EXPECT_EQ(stand_in.campaign.waves.back().runs.front().factors,
+              std::vector<double>{stand_in.stored("optimum/best_point").front()});
+}
+
+TEST(WavePlan, RunsTheDesignAloneWhereNoWaveShallSearch)
+{
+    auto stand_in = line();
+    stand_in.campaign.input.stop.waves = 0;
+    stand_in.run_to_the_end();
+    EXPECT_EQ(purposes(stand_in.campaign), (std::vector<std::string>{"design"}));
+    EXPECT_EQ(stand_in.last_step.kind, NextStep::Kind::finish);
+}
+
+TEST(WavePlan, EndsWithoutAConfirmationWhereNoneIsAskedFor)
+{
+    auto stand_in = line();
+    stand_in.campaign.input.stop.confirmation = 0;
+    stand_in.run_to_the_end();
+    EXPECT_EQ(purposes(stand_in.campaign), (std::vector<std::string>{"design", "search"}));
+}
+
+TEST(WavePlan, AGoalMetByLuckAloneIsNotTheEnd)
+{
+    // The first search wave meets the target; its repetition does not, and the search goes on.
+    auto stand_in = line();
+    ASSERT_TRUE(stand_in.advance());
+    ASSERT_TRUE(stand_in.advance());
+    ASSERT_TRUE(stand_in.advance());
+    auto& waves = stand_in.campaign.waves;
+    ASSERT_EQ(waves.back().purpose, "confirmation");
+    waves.back().runs.front().responses = {4.5}; // a mean of 3.75 at the location that looked right
+    ASSERT_TRUE(stand_in.advance());
+    EXPECT_EQ(waves.back().purpose, "search");
+}
+
+TEST(WavePlan, NeverPlansMoreRunsThanAllowed)
+{
+    for (int runs : {1, 3, 7, 14, 20}) {
+        auto stand_in = draw_down_campaign({0.9, 0.6, 0.25}, {0, 0, 0, 0}, 1);
+        stand_in.campaign.input.experiments.front().replicates = 2;
+        stand_in.campaign.input.stop.runs = runs;
+        stand_in.run_to_the_end();
+        EXPECT_LE(stand_in.runs(), runs);
+        EXPECT_FALSE(stand_in.campaign.ended.empty());
+    }
+}
+
+TEST(WavePlan, StopsWhenNothingImproves)
+{
+    // Two responses that contradict each other: the best possible WMSE is never zero.
+    auto stand_in = line(std::numeric_limits<double>::quiet_NaN());
+    auto& input = stand_in.campaign.input;
+    auto second = input.experiments.front();
+    second.name = "other";
+    second.targets.front().value = 5;
+    input.experiments.push_back(second);
+    input.stop.runs = 500;
+    input.stop.no_improvement_waves = 2;
+    stand_in.run_to_the_end();
+    EXPECT_NE(stand_in.campaign.ended.find("nothing better"), std::string::npos) << stand_in.campaign.ended;
+    EXPECT_NEAR(stand_in.stored("optimum/best_point").front(), 0.4, 1e-3);
+    EXPECT_NEAR(stand_in.stored("optimum/mean_square_residual").front(), 1, 1e-3);
+}
+
+TEST(WavePlan, GoesOnWhereRunsFail)
+{
+    auto stand_in = draw_down_campaign({0.9, 0.6, 0.25}, {0, 0, 0, 0}, 2);
+    auto& input = stand_in.campaign.input;
+    StandIn failing(
+        [](std::vector<double> const& f, int e) {
+            if (f[2] > 0.35)
+                throw std::runtime_error("overlap beyond the limit");
+            return draw_down(f, e);
+        },
+        {0.4, 0.4, 0.06, 0.08});
+    failing.campaign.input = input;
+    failing.campaign.input.stop.runs = 40;
+    failing.run_to_the_end();
+    EXPECT_EQ(failing.last_step.kind, NextStep::Kind::finish);
+    EXPECT_LT(failing.stored("optimum/mean_square_residual").front(), 0.1);
+    auto const& errors = failing.stored("history/point_wmse");
+    EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [](double error) { return std::isnan(error); }));
+}
+
+TEST(WavePlan, TakesMorePointsWhereTooFewFinished)
+{
+    auto stand_in = line();
+    stand_in.campaign.input.design.points = 2;
+    ASSERT_TRUE(stand_in.advance());
+    ASSERT_TRUE(stand_in.advance());
+    EXPECT_EQ(purposes(stand_in.campaign), (std::vector<std::string>{"design", "design"}));
+    ASSERT_TRUE(stand_in.advance());
+    EXPECT_NE(stand_in.campaign.waves.back().purpose, "design");
+}
+
+TEST(WavePlan, GivesUpWithTheReasonWhenEveryRunFails)
+{
+    StandIn stand_in(
+        [](std::vector<double> const&, int) -> std::vector<double> { throw std::runtime_error("blown up"); },
+        {0.0});
+    stand_in.campaign.input = line().campaign.input;
+    stand_in.run_to_the_end();
+    EXPECT_EQ(stand_in.last_step.kind, NextStep::Kind::give_up);
+    EXPECT_EQ(stand_in.runs(), 4);
+    EXPECT_NE(stand_in.campaign.ended.find("blown up"), std::string::npos) << stand_in.campaign.ended;
+    EXPECT_NE(summary(stand_in.campaign).find("4 failed"), std::string::npos) << summary(stand_in.campaign);
+}
+
+TEST(WavePlan, DiscreteFactorsStayOnTheirLevels)
+{
+    auto stand_in = line();
+    stand_in.campaign.input.factors.front().levels = {0, 0.1, 0.25, 0.35, 0.6, 0.8, 1};
+    stand_in.campaign.input.experiments.front().targets.front().tolerance = 0.01; // no level is that good
+    stand_in.run_to_the_end();
+    auto const& levels = stand_in.campaign.input.factors.front().levels;
+    for (auto const& wave : stand_in.campaign.waves)
+        for (auto const& run : wave.runs)
+            EXPECT_NE(std::find(levels.begin(), levels.end(), run.factors.front()), levels.end());
+    EXPECT_NEAR(std::abs(stand_in.stored("optimum/best_point").front() - 0.3), 0.05, 1e-12);
+}
+
+TEST(Summary, NamesPointIntervalTargetsAndEnd)
+{
+    auto stand_in = line();
+    stand_in.run_to_the_end();
+    auto const text = summary(stand_in.campaign);
+    for (char const* part :
+         {"determined", "bench.y", "met", "simulated 2 times", "0 failed", "ended: every target"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << " is missing in\n" << text;
+}
+
+} // namespace
+} // namespace demens::tao_calib
