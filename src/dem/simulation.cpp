@@ -77,6 +77,65 @@ void Simulation::set_model(contact::Model const& model)
     list_is_stale_ = true; // the new laws may reach further
 }
 
+IdRange Simulation::add(BodyBatch const& bodies)
+{
+    // Velocities are kept half a step behind the places, except before the first step.
+    Vector3 const behind = first_step_ ? Vector3{} : 0.5 * options_.time_step * options_.gravity;
+    IdRange ids{particles_added_, particles_added_};
+    for (Body const& body : bodies)
+        ids.end = 1 + add_particle(body.position, body.radius, body.material.value, body.velocity - behind,
+                                   body.spin);
+    return ids;
+}
+
+ParticleId Simulation::add(Body const& body)
+{
+    return ParticleId{add(BodyBatch{body}).first};
+}
+
+WallId Simulation::add(Wall const& wall)
+{
+    return WallId{add_wall(wall)};
+}
+
+//! The wall without its prescribed motions, to be changed.
+Wall& Simulation::stopped(WallId wall)
+{
+    moved_walls_.erase(wall.value);
+    list_is_stale_ = true;
+    return walls_[wall.value];
+}
+
+void Simulation::place(WallId wall, WallShape const& shape)
+{
+    Wall& placed = stopped(wall);
+    placed.shape = shape;
+    placed.velocity = placed.spin = placed.belt = {};
+}
+
+void Simulation::move(WallId wall, WallVelocity const& velocity)
+{
+    Wall& moved = stopped(wall);
+    moved.velocity = velocity.velocity, moved.spin = velocity.spin, moved.belt = velocity.belt;
+}
+
+void Simulation::move(WallId wall, std::vector<WallMotion> motions)
+{
+    set_motions(wall.value, std::move(motions));
+}
+
+void Simulation::activate(WallId wall, bool on)
+{
+    walls_[wall.value].active = on;
+    list_is_stale_ = true;
+}
+
+void Simulation::advance(std::int64_t steps)
+{
+    for (std::int64_t k = 0; k < steps; ++k)
+        step();
+}
+
 std::uint32_t Simulation::add_particle(Vector3 const& position, double radius, std::uint32_t material,
                                        Vector3 const& velocity, Vector3 const& spin)
 {
@@ -194,7 +253,7 @@ double Simulation::move_walls()
             continue;
         auto const moved = moved_walls_.find(number);
         if (moved == moved_walls_.end())
-            advance(wall, dt);
+            dem::advance(wall, dt);
         else
             moved->second.move(wall, time() + dt, time() + 0.5 * dt);
         fastest = std::max(fastest, displacement_speed(wall));

@@ -24,6 +24,23 @@ Health Simulation::check_health()
     return balanced ? Health::good : Health::unbalanced;
 }
 
+StateView Simulation::read(Fields)
+{
+    Particles const& all = particles();
+    return {{all.place, all.motion, all.load, all.material, all.id},
+            {first_step_ ? 0 : 0.5 * options_.time_step, options_.gravity}};
+}
+
+Counts Simulation::counts()
+{
+    return {.particles = particles_added_,
+            .contacts = particle_contacts(),
+            .wall_contacts = wall_contacts(),
+            .rebuilds = rebuilds_,
+            .particles_of_rank = particles_.owned(),
+            .ghosts_of_rank = particles_.ghosts};
+}
+
 Vector3 Simulation::velocity(std::size_t k) const
 {
     Particles const& all = particles();

@@ -2,8 +2,10 @@
 
 #include "demens/contact/laws.hpp"
 #include "demens/contact/model.hpp"
+#include "demens/dem/body.hpp"
 #include "demens/dem/particles.hpp"
 #include "demens/dem/periods.hpp"
+#include "demens/dem/state_view.hpp"
 #include "demens/dem/wall.hpp"
 #include "demens/dem/wall_motion.hpp"
 #include "src/dem/cpu/contact_block.hpp"
@@ -44,6 +46,16 @@ enum class Health
     unbalanced //!< the energy ledger does not close
 };
 
+//! How many of everything there are. Contacts: with a force in the last step, or within reach of one.
+struct Counts
+{
+    std::size_t particles = 0;
+    std::size_t contacts = 0; //!< among particles
+    std::size_t wall_contacts = 0;
+    std::int64_t rebuilds = 0;                             //!< of the neighbour lists, since the start
+    std::size_t particles_of_rank = 0, ghosts_of_rank = 0; //!< this rank of a team, and copies from others
+};
+
 //! Spheres and walls that move and touch: the state and one time step of it. With a team, all its ranks make
 //! the same calls, const ones too, and see the same state of the whole.
 class Simulation
@@ -51,6 +63,34 @@ class Simulation
   public:
     //! \throws InputError when a pair of `model` names a material that is not in it.
     Simulation(contact::Model const& model, SimulationOptions const& options);
+
+    //! Spheres that enter now; the density of their materials is that of the model.
+    IdRange add(BodyBatch const& bodies);
+    ParticleId add(Body const& body);
+    WallId add(Wall const& wall);
+    //! Puts a wall elsewhere, or gives it another shape; it stands still there. The pivot stays.
+    void place(WallId wall, WallShape const& shape);
+    //! Lets a wall move steadily; ends its motions.
+    void move(WallId wall, WallVelocity const& velocity);
+    //! Lets a wall move from where it stands; times are those of the simulation. \throws InputError
+    void move(WallId wall, std::vector<WallMotion> motions);
+    //! An inactive wall touches nothing and stays where it is; motions that are prescribed go on in time.
+    void activate(WallId wall, bool on);
+    //! New coefficients for the same laws; contacts keep their histories.
+    void set_model(contact::Model const& model);
+
+    void advance(std::int64_t steps);
+
+    //! State as of the last step; overlaps are judged since the last call.
+    Health health() { return check_health(); }
+    //! The particles as they are now. Of a team, all read together, and all of the particles.
+    StateView read(Fields fields);
+    Wall const& wall(WallId id) const { return walls_[id.value]; }
+    //! What the particles did to each wall in the last step. Of a team, all read together.
+    std::vector<WallLoad> read_wall_loads() { return wall_loads(); }
+    Counts counts();
+
+    // Below: on their way out.
 
     //! Adds a sphere; returns its id. Solid density and material come from the model.
     std::uint32_t add_particle(Vector3 const& position, double radius, std::uint32_t material,
@@ -61,8 +101,6 @@ class Simulation
     void set_wall(std::uint32_t number, Wall const& wall);
     //! Lets a wall move from where it stands; times are those of the simulation. \throws InputError
     void set_motions(std::uint32_t number, std::vector<WallMotion> motions);
-    //! New coefficients for the same laws; contacts keep their histories.
-    void set_model(contact::Model const& model);
 
     //! One time step.
     void step();
@@ -101,6 +139,7 @@ class Simulation
     std::size_t ghosts_here() const { return particles_.ghosts; }
 
   private:
+    Wall& stopped(WallId wall);
     void make_law_sets(contact::Model const& model);
     void move();
     double move_walls();

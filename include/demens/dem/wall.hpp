@@ -24,6 +24,14 @@ struct Wall
     }
 };
 
+//! How a wall moves from now on, steadily.
+struct WallVelocity
+{
+    Vector3 velocity = {}; //!< of the pivot [m/s]
+    Vector3 spin = {};     //!< [rad/s]
+    Vector3 belt = {};     //!< of a surface that runs over the wall [m/s]
+};
+
 //! What the particles do to a wall.
 struct WallLoad
 {

@@ -1,0 +1,105 @@
+// What the facade promises: times of velocities, walls that are put, moved and switched, counts.
+#include "demens/dem/simulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace {
+
+using namespace demens;
+
+constexpr double r = 1e-3, dt = 1e-5, g = 9.81;
+
+contact::Model model()
+{
+    return {.materials = {{.name = "glass"}, {.name = "steel", .density = 7800}},
+            .pairs = {{.first = "glass", .second = "glass"}, {.first = "glass", .second = "steel"}}};
+}
+
+dem::Simulation simulation()
+{
+    return dem::Simulation(model(), {.time_step = dt, .skin = 0.1 * r});
+}
+
+dem::Rectangle floor_at(double z)
+{
+    return {{0, 0, z}, {1, 0, 0}, {0, 1, 0}, 1, 1};
+}
+
+TEST(Simulation, BodiesFallFromTheirVelocityWheneverTheyEnter)
+{
+    auto s = simulation();
+    auto const first = s.add(dem::BodyBatch{{.position = {}, .radius = r, .velocity = {0.1, 0, 0.2}}});
+    EXPECT_EQ(first, (dem::IdRange{0, 1}));
+    s.advance(1000);
+    auto const second = s.add(dem::Body{.position = {1, 0, 0},
+                                        .radius = r,
+                                        .material = dem::MaterialId{1},
+                                        .velocity = {0.1, 0, 0.2},
+                                        .spin = {0, 3, 0}});
+    EXPECT_EQ(second, dem::ParticleId{1});
+    {
+        auto const now = s.read(dem::Fields::all);
+        for (std::size_t k = 0; k < 2; ++k)
+            if (now.id(k) == second) {
+                EXPECT_NEAR(now.velocity(k).z, 0.2, 1e-15);
+                EXPECT_NEAR(now.mass(k), 7800 * 4.0 / 3 * std::numbers::pi * r * r * r, 1e-18);
+                EXPECT_EQ(now.material(k), dem::MaterialId{1});
+            }
+    }
+    s.advance(2000);
+    auto const now = s.read(dem::Fields::all);
+    ASSERT_EQ(now.size(), 2u);
+    for (std::size_t k = 0; k < 2; ++k) {
+        bool const is_second = now.id(k) == second;
+        double const t = is_second ? 2000 * dt : 3000 * dt; // the parabola, which leapfrog has exactly
+        EXPECT_NEAR(now.position(k).x, 0.1 * t + is_second, 1e-12);
+        EXPECT_NEAR(now.position(k).z, 0.2 * t - 0.5 * g * t * t, 1e-12);
+        EXPECT_NEAR(now.velocity(k).z, 0.2 - g * t, 1e-12);
+        EXPECT_EQ(now.spin(k), (Vector3{0, is_second ? 3.0 : 0.0, 0}));
+    }
+}
+
+TEST(Simulation, AWallIsPutElsewhereAndStandsStill)
+{
+    auto s = simulation();
+    auto const wall = s.add(dem::Wall{.shape = floor_at(-1)});
+    s.move(wall, dem::WallVelocity{.velocity = {0, 0, 2}, .spin = {0, 0, 1}, .belt = {3, 0, 0}});
+    s.advance(100);
+    EXPECT_NEAR(std::get<dem::Rectangle>(s.wall(wall).shape).centre.z, -1 + 100 * dt * 2, 1e-12);
+    s.place(wall, floor_at(-2));
+    EXPECT_EQ(s.wall(wall).velocity, Vector3{});
+    EXPECT_EQ(s.wall(wall).spin, Vector3{});
+    EXPECT_EQ(s.wall(wall).belt, Vector3{});
+    s.advance(100);
+    EXPECT_EQ(std::get<dem::Rectangle>(s.wall(wall).shape).centre.z, -2);
+    s.move(wall, {dem::WallMotion{dem::Translate{{0, 0, 5}}}});
+    s.advance(100);
+    EXPECT_NEAR(std::get<dem::Rectangle>(s.wall(wall).shape).centre.z, -2 + 100 * dt * 5, 1e-12);
+    s.move(wall, dem::WallVelocity{}); // ends it
+    s.advance(100);
+    EXPECT_NEAR(std::get<dem::Rectangle>(s.wall(wall).shape).centre.z, -2 + 100 * dt * 5, 1e-12);
+}
+
+TEST(Simulation, AnInactiveWallTouchesNothing)
+{
+    auto s = simulation();
+    auto const wall = s.add(dem::Wall{.shape = floor_at(0)});
+    s.add(dem::Body{.position = {0, 0, r}, .radius = r});
+    s.advance(20000); // settles
+    double const weight = s.read(dem::Fields::places).mass(0) * g;
+    EXPECT_NEAR(s.read_wall_loads()[wall.value].force.z, -weight, 1e-6 * weight);
+    EXPECT_EQ(s.counts().wall_contacts, 1u);
+    EXPECT_EQ(s.counts().particles, 1u);
+    EXPECT_EQ(s.health(), dem::Health::good);
+    s.activate(wall, false);
+    s.advance(1);
+    EXPECT_EQ(s.counts().wall_contacts, 0u);
+    EXPECT_EQ(s.read_wall_loads()[wall.value].force, Vector3{});
+    s.activate(wall, true);
+    s.advance(1);
+    EXPECT_EQ(s.counts().wall_contacts, 1u);
+}
+
+} // namespace
