@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "demens/dem/simulation.hpp"
+#include "demens/shape/sample_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,12 @@ shape::SizeDistribution const& size_distribution_of(RunInput const& input)
     if (found == input.size_distributions.end())
         throw InputError(fmt::format("there is no [size_distribution.{}]", name));
     return found->second;
+}
+
+std::vector<std::string> size_warnings(shape::SizeDistribution const& sizes, double mass, double density)
+{
+    auto warning = shape::sample_warning(sizes, mass, density);
+    return warning.empty() ? std::vector<std::string>{} : std::vector{std::move(warning)};
 }
 
 std::vector<OptionSpec> time_step_options()

@@ -4,6 +4,7 @@
 #include "demens/rig/common.hpp"
 #include "demens/rig/stage.hpp"
 #include "demens/shape/packing.hpp"
+#include "demens/shape/sample_check.hpp"
 #include "src/rig/drawdown_setup.hpp"
 
 #include <algorithm>
@@ -176,7 +177,7 @@ void run(RunInput const& input, RunHooks const& hooks, RunResult& result)
 {
     DrawdownSetup const rig(input);
     RandomStream size_stream(derive_seed(input.seed, 1)), place_stream(derive_seed(input.seed, 2));
-    auto const diameters = rig.sizes.sample_mass(rig.mass, rig.density, size_stream);
+    auto const diameters = shape::sample_whole(rig.sizes, rig.mass, rig.density, size_stream);
     result.particles = static_cast<std::int64_t>(diameters.size());
     auto const places = shape::loose_packing(diameters, {-0.5 * rig.width, -0.5 * rig.depth, 1e-4}, rig.width,
                                              rig.depth, 0.28, place_stream);
@@ -280,6 +281,11 @@ RigInfo drawdown_rig()
                       {"bulk_density_kg_m3", "kg/m^3", "of the levelled bed, before the gate opens"},
                       {"discharge_time_s", "s", "from the opening of the gate to the end of the run"}},
         .check = [](RunInput const& input) { check_drawdown(DrawdownSetup(input)); },
+        .warnings =
+            [](RunInput const& input) {
+                DrawdownSetup const rig(input);
+                return size_warnings(rig.sizes, rig.mass, rig.density);
+            },
         .predict_cost = [](RunInput const& input) { return drawdown_cost(DrawdownSetup(input)); },
         .run =
             [](RunInput const& input, RunHooks const& hooks) {

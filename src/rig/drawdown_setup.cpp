@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "demens/rig/common.hpp"
+#include "demens/shape/sample_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -165,6 +166,7 @@ void check_drawdown(DrawdownSetup const& rig)
             fmt::format("no room for the particles: the lower box ({:.4g} mm wide, {:.4g} mm high) does not "
                         "hold {:.4g} kg; make lower_box_width_mm or drop_height_mm larger",
                         1e3 * rig.lower_width, 1e3 * rig.drop, rig.mass));
+    shape::sample_warning(rig.sizes, rig.mass, rig.density);
 }
 
 double drawdown_cost(DrawdownSetup const& rig)

@@ -6,6 +6,7 @@
 #include "demens/rig/common.hpp"
 #include "demens/rig/stage.hpp"
 #include "demens/shape/packing.hpp"
+#include "demens/shape/sample_check.hpp"
 #include "src/rig/drum_setup.hpp"
 
 #include <algorithm>
@@ -132,7 +133,7 @@ std::vector<double> next_batch(std::vector<double>& diameters, double free_volum
 void fill(dem::Simulation& simulation, StageRunner& stages, DrumSetup const& setup, std::uint64_t seed)
 {
     RandomStream size_stream(derive_seed(seed, 1)), place_stream(derive_seed(seed, 2));
-    auto diameters = setup.sizes.sample_mass(setup.drum.mass, setup.density, size_stream);
+    auto diameters = shape::sample_whole(setup.sizes, setup.drum.mass, setup.density, size_stream);
     auto const material = material_index(setup.model, setup.material);
     double const radius = setup.drum.radius, half_width = 0.5 * setup.drum.width;
     shape::Region const inside = shape::CylinderRegion{
@@ -294,6 +295,11 @@ RigInfo drum_rig()
             .options = drum_options(),
             .responses = drum_responses(),
             .check = [](RunInput const& input) { check_drum(DrumSetup(input)); },
+            .warnings =
+                [](RunInput const& input) {
+                    DrumSetup const setup(input);
+                    return size_warnings(setup.sizes, setup.drum.mass, setup.density);
+                },
             .predict_cost = predict_cost,
             .run =
                 [](RunInput const& input, RunHooks const& hooks) {

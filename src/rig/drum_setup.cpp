@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "demens/rig/common.hpp"
+#include "demens/shape/sample_check.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -219,6 +220,7 @@ void check_drum(DrumSetup const& setup)
                         "mm; at least {:.0f}",
                         setup.pixels, 2e3 * setup.drum.radius / setup.pixels, 1e3 * largest,
                         std::ceil(4 * setup.drum.radius / largest)));
+    shape::sample_warning(setup.sizes, setup.drum.mass, setup.density);
 }
 
 } // namespace demens::rig

@@ -1,12 +1,12 @@
 #include "demens/shape/stl.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/base/text/file.hpp"
+#include "demens/base/text/number.hpp"
 
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -25,12 +25,7 @@ constexpr std::size_t header_size = 84,
 
 std::string content_of(std::filesystem::path const& file)
 {
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file))
-        refuse(file, "there is no such STL file, or it cannot be read");
-    std::ostringstream content;
-    content << in.rdbuf();
-    return content.str();
+    return text::read_file(file, "STL file");
 }
 
 std::size_t binary_count(std::string const& content)
@@ -45,9 +40,8 @@ bool is_ascii(std::string const& content)
 {
     if (content.size() >= header_size && content.size() == header_size + record_size * binary_count(content))
         return false;
-    std::size_t const start = content.find_first_not_of(" \t\r\n");
-    return start != std::string::npos && content.compare(start, 5, "solid") == 0 &&
-           content.find('\0') == std::string::npos;
+    std::size_t const start = std::min(content.find_first_not_of("\xEF\xBB\xBF \t\r\n"), content.size());
+    return text::lower_case(content.substr(start, 5)) == "solid" && content.find('\0') == std::string::npos;
 }
 
 TriangleSoup read_binary(std::filesystem::path const& file, std::string const& content)
@@ -62,6 +56,11 @@ TriangleSoup read_binary(std::filesystem::path const& file, std::string const& c
     if (content.size() < expected)
         refuse(file, fmt::format("truncated, or not an STL file: {} triangles need {} bytes, it has {}",
                                  count, expected, content.size()));
+    if (std::size_t const held = (content.size() - header_size) / record_size; held > count)
+        refuse(file,
+               fmt::format("its header says {} triangles, but its {} bytes hold {}; write the file again, or "
+                           "put the right count into bytes 81 to 84",
+                           count, content.size(), held));
     TriangleSoup soup(count);
     for (std::size_t k = 0; k < count; ++k) {
         float numbers[12]; // the normal, which the corners tell as well, and three corners
@@ -72,64 +71,76 @@ TriangleSoup read_binary(std::filesystem::path const& file, std::string const& c
     return soup;
 }
 
-//! Reads word by word and knows the line that it is in.
+//! Reads word by word and knows the line that it is in. Capitals do not count.
 class Words
 {
   public:
-    Words(std::filesystem::path const& file, std::string const& content) : file_(file), text_(content) {}
+    Words(std::filesystem::path const& file, std::string const& content)
+        : file_(file), text_(text::plain_text(content, file.string()))
+    {
+    }
 
-    //! The next word, empty at the end.
+    //! The next word in small letters, empty at the end.
     std::string next()
     {
-        constexpr char const* blanks = " \t\r\n";
+        constexpr char const* blanks = " \t\n";
         std::size_t const from = std::min(text_.find_first_not_of(blanks, at_), text_.size());
         for (; at_ < from; ++at_)
             line_ += text_[at_] == '\n';
         at_ = std::min(text_.find_first_of(blanks, from), text_.size());
-        return text_.substr(from, at_ - from);
+        return text::lower_case(std::string_view(text_).substr(from, at_ - from));
     }
     void expect(std::initializer_list<char const*> words)
     {
         for (char const* word : words) {
             std::string const found = next();
             if (found != word)
-                refuse(file_,
-                       found.empty()
-                           ? fmt::format("truncated: ends before \"{}\" in line {}", word, line_)
-                           : fmt::format("line {}: \"{}\" where \"{}\" is expected", line_, found, word));
+                unexpected(found, fmt::format("\"{}\"", word));
         }
     }
     double number()
     {
         std::string const word = next();
-        std::istringstream in(word);
-        double value = 0;
-        if (word.empty())
-            refuse(file_, fmt::format("truncated: ends before a number in line {}", line_));
-        if (!(in >> value) || !in.eof())
-            refuse(file_, fmt::format("line {}: \"{}\" where a number is expected", line_, word));
-        return value;
+        auto const value = text::number_of(word);
+        if (!value)
+            unexpected(word, "a number");
+        return *value;
     }
-    void skip_line() { at_ = std::min(text_.find('\n', at_), text_.size()); }
+    //! The name of a solid ends with its line; a file in one line goes on with its facets.
+    void skip_name()
+    {
+        auto const end = std::min(text_.find('\n', at_), text_.size());
+        auto const facets =
+            text::lower_case(std::string_view(text_).substr(at_, end - at_)).find(" facet normal ");
+        at_ = facets == std::string::npos ? end : at_ + facets;
+    }
+    //! What follows `endsolid` in its line; facets there would be lost.
+    void skip_closing_name()
+    {
+        skip_name();
+        if (at_ < text_.size() && text_[at_] != '\n')
+            refuse(file_, fmt::format("line {}: facets follow \"endsolid\" in its line", line_));
+    }
+    //! \throws InputError that says what was found, and what should have been there
+    [[noreturn]] void unexpected(std::string const& found, std::string const& expected) const
+    {
+        refuse(file_, found.empty()
+                          ? fmt::format("truncated: ends before {} in line {}", expected, line_)
+                          : fmt::format("line {}: \"{}\" where {} is expected", line_, found, expected));
+    }
 
   private:
     std::filesystem::path const& file_;
-    std::string const& text_;
+    std::string text_;
     std::size_t at_ = 0, line_ = 1;
 };
 
-TriangleSoup read_ascii(std::filesystem::path const& file, std::string const& content)
+//! The facets of a solid behind its name, up to `endsolid` and its name.
+void read_solid(Words& words, TriangleSoup& soup)
 {
-    TriangleSoup soup;
-    Words words(file, content);
-    words.expect({"solid"});
-    words.skip_line(); // the name
     for (std::string word = words.next(); word != "endsolid"; word = words.next()) {
-        if (word.empty())
-            refuse(file, "truncated: ends before \"endsolid\"");
         if (word != "facet")
-            refuse(file, fmt::format("\"{}\" where \"facet\" or \"endsolid\" is expected, after {} triangles",
-                                     word, soup.size()));
+            words.unexpected(word, word.empty() ? "\"endsolid\"" : "\"facet\" or \"endsolid\"");
         words.expect({"normal"});
         for (int k = 0; k < 3; ++k)
             words.next(); // the corners tell the normal as well, and some programs write nan
@@ -142,6 +153,20 @@ TriangleSoup read_ascii(std::filesystem::path const& file, std::string const& co
             corner.z = words.number();
         }
         words.expect({"endloop", "endfacet"});
+    }
+    words.skip_closing_name();
+}
+
+//! The triangles of all solids: CAD programs write a solid a part.
+TriangleSoup read_ascii(std::filesystem::path const& file, std::string const& content)
+{
+    TriangleSoup soup;
+    Words words(file, content);
+    for (std::string word = words.next(); !word.empty(); word = words.next()) {
+        if (word != "solid")
+            words.unexpected(word, "\"solid\" or the end of the file");
+        words.skip_name();
+        read_solid(words, soup);
     }
     return soup;
 }

@@ -8,7 +8,7 @@ namespace demens::tao_calib {
 std::string fit_table(std::filesystem::path const& file)
 {
     auto input = FitInput::from_file(file);
-    auto const table = CsvTable::from_file(input.table);
+    auto const table = text::CsvTable::from_file(input.table);
     TableFit const fit(std::move(input), table);
     PetscSession const petsc;
     return fit_text(fit, fit_optima(fit, Pounders(petsc)), admissible_region(fit));

@@ -12,17 +12,17 @@ namespace demens::tao_calib {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-TableFit::TableFit(FitInput input, CsvTable const& table) : input_(std::move(input))
+TableFit::TableFit(FitInput input, text::CsvTable const& table) : input_(std::move(input))
 {
     complete_bounds(table);
     make_spaces();
     fit(table, usable_rows(table));
 }
 
-void TableFit::complete_bounds(CsvTable const& table)
+void TableFit::complete_bounds(text::CsvTable const& table)
 {
     for (auto& factor : input_.factors) {
-        VectorXd const values = table.column(factor.column);
+        VectorXd const values = column_values(table, factor.column);
         double smallest = INFINITY, largest = -INFINITY;
         for (double value : values)
             if (!std::isnan(value)) {
@@ -69,13 +69,13 @@ void TableFit::make_spaces()
 }
 
 //! Rows that have all factors and are not a copy of an earlier row.
-std::vector<int> TableFit::usable_rows(CsvTable const& table)
+std::vector<int> TableFit::usable_rows(text::CsvTable const& table)
 {
     std::vector<VectorXd> columns;
     for (auto const& factor : input_.factors)
-        columns.push_back(table.column(factor.column));
+        columns.push_back(column_values(table, factor.column));
     for (auto const& response : input_.responses)
-        columns.push_back(table.column(response.column));
+        columns.push_back(column_values(table, response.column));
 
     auto same = [&](int a, int b) {
         return std::all_of(columns.begin(), columns.end(), [&](VectorXd const& column) {
@@ -107,14 +107,14 @@ std::vector<int> TableFit::usable_rows(CsvTable const& table)
     return rows;
 }
 
-void TableFit::fit(CsvTable const& table, std::vector<int> const& rows)
+void TableFit::fit(text::CsvTable const& table, std::vector<int> const& rows)
 {
     auto const factors = space_->size();
     RegressionData all;
     Eigen::MatrixXd own(static_cast<Index>(rows.size()), factors);
     for (int k = 0; k < factors; ++k) {
         all.factors.push_back(input_.factors[k].column);
-        own.col(k) = table.column(input_.factors[k].column)(rows);
+        own.col(k) = column_values(table, input_.factors[k].column)(rows);
         if (input_.factors[k].log_scale && !(own.col(k).minCoeff() > 0))
             throw InputError(fmt::format("{}: factor `{}` has values that have no logarithm", table.origin(),
                                          input_.factors[k].column));
@@ -125,7 +125,7 @@ void TableFit::fit(CsvTable const& table, std::vector<int> const& rows)
 
     auto const terms = polynomial_terms(input_.model, factors);
     for (auto& response : input_.responses) {
-        VectorXd const values = table.column(response.column)(rows);
+        VectorXd const values = column_values(table, response.column)(rows);
         std::vector<int> present, missing_lines;
         for (Index i = 0; i < values.size(); ++i) {
             if (std::isnan(values[i]))

@@ -2,7 +2,7 @@
 
 #include "tao_calib/design/factor_space.hpp"
 #include "tao_calib/fit_table/fit_input.hpp"
-#include "tao_calib/regression/csv_table.hpp"
+#include "tao_calib/regression/table_column.hpp"
 
 namespace demens::tao_calib {
 
@@ -11,7 +11,7 @@ class TableFit
 {
   public:
     //! \throws InputError when the table lacks a column or cannot carry the model.
-    TableFit(FitInput input, CsvTable const& table);
+    TableFit(FitInput input, text::CsvTable const& table);
 
     FitInput const& input() const { return input_; }                     //!< bounds and scales complete
     std::vector<ReducedRegression> const& fits() const { return fits_; } //!< one a response
@@ -26,9 +26,9 @@ class TableFit
     Eigen::VectorXd predict(Eigen::VectorXd const& free_values) const;
 
   private:
-    void complete_bounds(CsvTable const& table);
-    std::vector<int> usable_rows(CsvTable const& table);
-    void fit(CsvTable const& table, std::vector<int> const& rows);
+    void complete_bounds(text::CsvTable const& table);
+    std::vector<int> usable_rows(text::CsvTable const& table);
+    void fit(text::CsvTable const& table, std::vector<int> const& rows);
     void warn_of_target_out_of_reach(FitResponse const& response, Eigen::VectorXd const& values);
     void make_spaces();
 

@@ -18,6 +18,10 @@ contact::PairProperties const& require_pair(contact::Model const& model, std::st
 //! The distribution that `size_distribution` of the experiment names. \throws InputError
 shape::SizeDistribution const& size_distribution_of(RunInput const& input);
 
+//! What the spheres of a mass [kg] miss of it and of their sizes: a warning or none. \throws InputError where
+//! a class of sizes gets no sphere
+std::vector<std::string> size_warnings(shape::SizeDistribution const& sizes, double mass, double density);
+
 //! Keys with which every rig sets its time step.
 std::vector<OptionSpec> time_step_options();
 

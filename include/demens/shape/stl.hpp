@@ -8,8 +8,8 @@
 
 namespace demens::shape {
 
-//! Reads the triangles of an STL file, ASCII or binary. \throws InputError that says what is wrong with the
-//! file.
+//! Reads the triangles of an STL file, ASCII (of all its solids) or binary. \throws InputError that says what
+//! is wrong with the file.
 TriangleSoup read_stl(std::filesystem::path const& file);
 //! The same from the content of a file; its name is for messages.
 TriangleSoup read_stl(std::filesystem::path const& file, std::string const& content);

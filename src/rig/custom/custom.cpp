@@ -148,7 +148,15 @@ RigInfo custom_rig()
             .responses = {},
             .asked_responses = asked_responses,
             .check = [](RunInput const& input) { check_places(Setup(input)); },
-            .warnings = [](RunInput const& input) { return warnings(read_walls(input)); },
+            .warnings =
+                [](RunInput const& input) {
+                    Setup const setup(input);
+                    auto all = warnings(read_walls(input));
+                    for (auto const& group : setup.groups)
+                        for (auto& warning : particle_warnings(group, setup.density(group)))
+                            all.push_back(std::move(warning));
+                    return all;
+                },
             .predict_cost =
                 [](RunInput const& input) {
                     Setup const setup(input);

@@ -1,12 +1,11 @@
 #include "src/rig/custom/particle_csv.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/base/text/csv.hpp"
+#include "demens/base/text/file.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <map>
-#include <sstream>
+#include <array>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,92 +13,73 @@
 namespace demens::rig::custom {
 namespace {
 
-std::vector<std::string> const known = {"x", "y", "z", "radius", "vx", "vy", "vz"};
+constexpr std::array known = {"x", "y", "z", "radius", "vx", "vy", "vz"};
+constexpr std::array names_only = {"", "id", "number", "index", "name", "label", "type", "group"};
 
-std::string trimmed(std::string const& text)
+template <class Words>
+bool is_one_of(std::string const& name, Words const& words)
 {
-    auto const first = text.find_first_not_of(" \t\r\"");
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
+    return std::find(words.begin(), words.end(), text::lower_case(name)) != words.end();
 }
 
-std::vector<std::string> cells_of(std::string const& line)
+//! \return columns that are not used
+std::vector<std::string> check_header(text::CsvTable const& table)
 {
-    std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');)
-        cells.push_back(trimmed(cell));
-    if (!line.empty() && line.back() == ',')
-        cells.emplace_back();
-    return cells;
-}
-
-void check_header(std::vector<std::string> const& header, std::string const& where)
-{
-    for (auto const& column : header) {
-        if (std::find(known.begin(), known.end(), column) == known.end())
-            throw InputError(fmt::format("{}: unknown column \"{}\"; the header is x,y,z,radius or "
-                                         "x,y,z,radius,vx,vy,vz, in m and m/s",
-                                         where, column));
-        if (std::count(header.begin(), header.end(), column) > 1)
-            throw InputError(fmt::format("{}: two columns are called \"{}\"", where, column));
+    auto const where = fmt::format("{}:{}", table.origin(), table.header_line());
+    constexpr auto header = "the header is x,y,z,radius or x,y,z,radius,vx,vy,vz, in m and m/s";
+    std::vector<std::string> unused;
+    bool moving = false;
+    for (int k = 0; k < static_cast<int>(table.names().size()); ++k) {
+        auto const& name = table.names()[k];
+        if (is_one_of(name, known))
+            moving |= text::lower_case(name).front() == 'v';
+        else if (is_one_of(name, names_only) || (table.rows() > 0 && !table.is_numeric(k)))
+            unused.push_back(name.empty() ? fmt::format("number {}", k + 1) : name);
+        else
+            throw InputError(fmt::format("{}: unknown column \"{}\"; {}", where, name, header));
     }
-    bool const moving = std::any_of(header.begin(), header.end(), [](auto const& c) { return c[0] == 'v'; });
     std::vector<std::string> missing;
     for (std::size_t k = 0; k < (moving ? 7u : 4u); ++k)
-        if (std::find(header.begin(), header.end(), known[k]) == header.end())
-            missing.push_back(known[k]);
+        if (!table.find(known[k]))
+            missing.emplace_back(known[k]);
     if (!missing.empty())
-        throw InputError(fmt::format("{}: the column {} is missing; the header is x,y,z,radius or "
-                                     "x,y,z,radius,vx,vy,vz, in m and m/s",
-                                     where, fmt::join(missing, ", ")));
-}
-
-double number(std::string const& cell, std::string const& where, std::string const& column)
-{
-    double value = 0;
-    auto const [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-        throw InputError(fmt::format("{}: column {}: \"{}\" is not a finite number", where, column, cell));
-    if (column == "radius" && !(value > 0))
-        throw InputError(fmt::format("{}: column radius: {} must be greater than 0", where, cell));
-    return value;
+        throw InputError(
+            fmt::format("{}: the column {} is missing; {}", where, fmt::join(missing, ", "), header));
+    return unused;
 }
 
 } // namespace
 
-std::vector<Body> read_particle_csv(std::string const& text, std::string const& file)
+ParticleTable read_particle_csv(std::string const& text, std::string const& file)
 {
-    std::vector<Body> bodies;
-    std::vector<std::string> header;
-    std::istringstream lines(text);
-    int line_number = 0;
-    for (std::string line; std::getline(lines, line);) {
-        auto const where = fmt::format("{}:{}", file, ++line_number);
-        if (trimmed(line).empty() || trimmed(line).front() == '#')
-            continue;
-        auto const cells = cells_of(line);
-        if (header.empty()) {
-            header = cells;
-            check_header(header, where);
-            continue;
+    auto const table = text::CsvTable::from_text(text, file);
+    ParticleTable particles;
+    if (table.header_line() > 0)
+        particles.unused = check_header(table);
+    if (table.rows() == 0)
+        throw InputError(fmt::format(
+            "{}: holds no particles; a header x,y,z,radius and one line for each are needed", file));
+    std::array<int, known.size()> place{};
+    for (std::size_t k = 0; k < known.size(); ++k)
+        place[k] = table.find(known[k]).value_or(-1);
+    for (int row = 0; row < table.rows(); ++row) {
+        std::array<double, known.size()> value{};
+        for (std::size_t k = 0; k < known.size(); ++k) {
+            if (place[k] < 0)
+                continue;
+            if (table.is_missing(row, place[k]))
+                throw InputError(fmt::format("{}: column {}: \"{}\" is not a number", table.where(row),
+                                             known[k], table.cell(row, place[k])));
+            value[k] = table.number(row, place[k]);
         }
-        if (cells.size() != header.size())
-            throw InputError(fmt::format("{}: has {} values where the header has {} columns", where,
-                                         cells.size(), header.size()));
-        std::map<std::string, double> value;
-        for (std::size_t k = 0; k < cells.size(); ++k)
-            value[header[k]] = number(cells[k], where, header[k]);
-        bodies.push_back({.place = {value["x"], value["y"], value["z"]},
-                          .radius = value["radius"],
-                          .velocity = {value["vx"], value["vy"], value["vz"]},
-                          .origin = where});
+        auto const& [x, y, z, radius, vx, vy, vz] = value;
+        if (!(radius > 0))
+            throw InputError(fmt::format("{}: column radius: {} must be greater than 0", table.where(row),
+                                         table.cell(row, place[3])));
+        particles.bodies.push_back(
+            {.place = {x, y, z}, .radius = radius, .velocity = {vx, vy, vz}, .origin = table.where(row)});
     }
-    if (bodies.empty())
-        throw InputError(
-            fmt::format("{}: holds no particles; a header x,y,z,radius and one line for each are "
-                        "needed",
-                        file));
-    return bodies;
+    return particles;
 }
 
 } // namespace demens::rig::custom

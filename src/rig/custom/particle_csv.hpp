@@ -17,8 +17,16 @@ struct Body
     std::string origin = {}; //!< where it was given, for messages
 };
 
+//! The spheres of a table, and its columns that say nothing of them.
+struct ParticleTable
+{
+    std::vector<Body> bodies;
+    std::vector<std::string> unused;
+};
+
 //! Spheres from text with the header `x,y,z,radius` or `x,y,z,radius,vx,vy,vz`, columns in any order, in SI
-//! units. Blank lines and lines that begin with # are left out. \throws InputError with file, line and column
-std::vector<Body> read_particle_csv(std::string const& text, std::string const& file);
+//! units. Columns of names and numbers of the particles may stand beside them. \throws InputError with file,
+//! line and column
+ParticleTable read_particle_csv(std::string const& text, std::string const& file);
 
 } // namespace demens::rig::custom

@@ -1,6 +1,7 @@
 #include "src/rig/custom/particles.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/shape/sample_check.hpp"
 #include "src/rig/custom/specs.hpp"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <numbers>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace demens::rig::custom {
 namespace {
@@ -24,6 +26,7 @@ Packing read_packing(OptionValues const& o, RunInput const& input, Regions const
     if (!o.text("within").empty())
         packing.within = regions.at(o.text("within"));
     packing.velocity = o.vector("velocity_m_s");
+    packing.where = where;
     auto const& sizes = o.text("size_distribution");
     bool const one_size = o.number("diameter_mm") > 0;
     if (one_size == !sizes.empty())
@@ -39,12 +42,19 @@ Packing read_packing(OptionValues const& o, RunInput const& input, Regions const
     return packing;
 }
 
-std::vector<Body> read_csv(OptionValues const& o, RunInput const& input)
+ParticleTable read_csv(OptionValues const& o, RunInput const& input)
 {
-    auto bodies = read_particle_csv(*input.files.at(o.text("file")), o.text("file"));
-    for (auto& body : bodies)
+    auto table = read_particle_csv(*input.files.at(o.text("file")), o.text("file"));
+    for (auto& body : table.bodies)
         body.place += 1e-3 * o.vector("shift_mm");
-    return bodies;
+    return table;
+}
+
+//! Spheres of one diameter that come closest to the mass; at least one.
+std::size_t count_of_mass(Packing const& packing, double density)
+{
+    return static_cast<std::size_t>(
+        std::llround(std::max(1.0, packing.mass / sphere_mass(packing.diameter, density))));
 }
 
 Body read_body(OptionValues const& o, std::string const& where)
@@ -174,9 +184,11 @@ std::vector<ParticleGroup> read_particles(RunInput const& input, Regions const& 
             ++group.stage;
         if (o.text("source") == "packing")
             group.source = read_packing(o, input, regions, where);
-        else if (o.text("source") == "csv")
-            group.source = read_csv(o, input);
-        else if (is_absent(o.number("clearance_mm")))
+        else if (o.text("source") == "csv") {
+            auto table = read_csv(o, input);
+            group.source = std::move(table.bodies);
+            group.unused = std::move(table.unused);
+        } else if (is_absent(o.number("clearance_mm")))
             group.source = std::vector{read_body(o, where)};
         else
             group.source = AboveOthers{read_body(o, where), 1e-3 * o.number("clearance_mm")};
@@ -187,6 +199,37 @@ std::vector<ParticleGroup> read_particles(RunInput const& input, Regions const& 
     return groups;
 }
 
+std::vector<std::string> particle_warnings(ParticleGroup const& group, double density)
+{
+    std::vector<std::string> warnings;
+    if (!group.unused.empty())
+        warnings.push_back(
+            fmt::format("columns of the table that are not used: {}", fmt::join(group.unused, ", ")));
+    if (auto const* packing = std::get_if<Packing>(&group.source)) {
+        std::string missed;
+        if (packing->sizes && packing->count > 1) {
+            RandomStream any_order(1);
+            auto const diameters = sample_diameters(*packing, density, any_order);
+            double mass = 0;
+            for (double const d : diameters)
+                mass += sphere_mass(d, density);
+            missed = shape::SampleCheck(*packing->sizes, diameters, mass, density).warning;
+        } else if (packing->sizes && packing->count == 0) {
+            missed = shape::sample_warning(*packing->sizes, packing->mass, density);
+        } else if (packing->count == 0) {
+            std::vector<double> const diameters(count_of_mass(*packing, density), packing->diameter);
+            missed = shape::SampleCheck(shape::SizeDistribution({packing->diameter}, {1}), diameters,
+                                        packing->mass, density)
+                         .warning;
+        }
+        if (!missed.empty())
+            warnings.push_back(missed);
+    }
+    for (auto& warning : warnings)
+        warning = fmt::format("particles.{}: {}", group.name, warning);
+    return warnings;
+}
+
 std::vector<double> sample_diameters(Packing const& packing, double density, RandomStream& random)
 {
     auto const of_mass = [&](double mass) {
@@ -194,13 +237,18 @@ std::vector<double> sample_diameters(Packing const& packing, double density, Ran
         return packing.sizes->sample_mass(mass, density, same_numbers);
     };
     if (!packing.sizes) {
-        double const count = packing.count > 0
-                                 ? static_cast<double>(packing.count)
-                                 : std::max(1.0, packing.mass / sphere_mass(packing.diameter, density));
-        return std::vector<double>(static_cast<std::size_t>(std::llround(count)), packing.diameter);
+        auto const count =
+            packing.count > 0 ? static_cast<std::size_t>(packing.count) : count_of_mass(packing, density);
+        return std::vector<double>(count, packing.diameter);
     }
-    if (packing.count == 0)
-        return of_mass(packing.mass);
+    if (packing.count == 0) {
+        RandomStream same_numbers = random;
+        try {
+            return shape::sample_whole(*packing.sizes, packing.mass, density, same_numbers);
+        } catch (InputError const& error) {
+            throw InputError(fmt::format("{}: {}", packing.where, error.what()));
+        }
+    }
     // The mass that has as many spheres; one too many goes.
     auto const wanted = static_cast<std::size_t>(packing.count);
     double too_little = 0, enough = sphere_mass(packing.largest(), density) * static_cast<double>(wanted + 1);

@@ -23,6 +23,7 @@ struct Packing
     std::int64_t count = 0;                            //!< 0: as many as make the mass
     double mass = 0;                                   //!< [kg]
     Vector3 velocity = {};                             //!< [m/s]
+    std::string where = {};                            //!< its table in messages
 
     double largest() const { return sizes ? sizes->largest() : diameter; }
     double smallest() const { return sizes ? sizes->smallest() : diameter; }
@@ -41,6 +42,7 @@ struct ParticleGroup
     std::string name, material;
     std::size_t stage; //!< at whose beginning they enter
     std::variant<std::vector<Body>, Packing, AboveOthers> source;
+    std::vector<std::string> unused = {}; //!< columns of its table that say nothing of the particles
 
     bool is_one_body() const;
     double smallest() const; //!< diameter [m]
@@ -52,7 +54,10 @@ struct ParticleGroup
 //! \throws InputError for what is wrong in one group; where they are is checked later
 std::vector<ParticleGroup> read_particles(RunInput const& input, Regions const& regions);
 
-//! Diameters [m] of a packing's spheres.
+//! What a group's author may not expect: columns that are not used, masses that whole spheres cannot meet.
+std::vector<std::string> particle_warnings(ParticleGroup const& group, double density);
+
+//! Diameters [m] of a packing's spheres. \throws InputError where whole spheres leave a class of sizes out
 std::vector<double> sample_diameters(Packing const& packing, double density, RandomStream& random);
 
 } // namespace demens::rig::custom

@@ -1,8 +1,8 @@
 #include "tests/bench/calibration/test_functions.hpp"
 
 #include "demens/base/random.hpp"
-#include "tao_calib/regression/csv_table.hpp"
 #include "tao_calib/regression/regression.hpp"
+#include "tao_calib/regression/table_column.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,20 +47,20 @@ TestFunction draw_down()
 //! Full quadratics through the 20 simulations of El Kassem et al. 2021, at 800 rev/min.
 TestFunction auger(std::string const& file)
 {
-    auto const table = tao_calib::CsvTable::from_file(file);
+    auto const table = demens::text::CsvTable::from_file(file);
     std::vector<std::string> const factors = {"speed", "mu_s_pp", "mu_s_pw", "mu_r_pp"};
     RegressionData data;
     data.factors = factors;
     data.coded.resize(table.rows(), 4);
     for (int k = 0; k < 4; ++k) {
-        VectorXd const column = table.column(factors[static_cast<std::size_t>(k)]);
+        VectorXd const column = tao_calib::column_values(table, factors[static_cast<std::size_t>(k)]);
         double const lower = column.minCoeff(), upper = column.maxCoeff();
         data.coded.col(k) = (2 * (column.array() - lower) / (upper - lower) - 1).matrix();
     }
     auto fits = std::make_shared<std::vector<Regression>>();
     for (char const* response : {"aor", "bulk_density", "mass_flow", "na_tke"}) {
         data.response = response;
-        data.values = table.column(response);
+        data.values = tao_calib::column_values(table, response);
         fits->push_back(
             tao_calib::eliminate_backward(data, tao_calib::polynomial_terms(PolynomialModel::quadratic, 4))
                 .regression);

@@ -115,6 +115,54 @@ TEST_F(Stl, IsScaledThenTurnedThenShifted)
     EXPECT_NEAR(mesh->extent(), 1e-3 * std::sqrt(1 + 1 + 1.75 * 1.75), 1e-12);
 }
 
+// Programs write a solid a part, and `cat` joins files.
+TEST_F(Stl, AllSolidsAreRead)
+{
+    TriangleSoup const first(box.begin(), box.begin() + 5), second(box.begin() + 5, box.end());
+    for (std::string const between :
+         {"endsolid part\n", "endsolid\n\n", "endsolid solid part of \xC3\xA9\r\n"}) {
+        auto const soup = shape::read_stl(file(ascii(first, between) + ascii(second)));
+        ASSERT_EQ(soup.size(), 12u) << between;
+        EXPECT_EQ(soup[4], box[4]);
+        EXPECT_EQ(soup[5], box[5]);
+    }
+    EXPECT_NE(refusal(ascii(first) + "facet normal").find("\"facet\" where \"solid\" or the end of the file"),
+              std::string::npos);
+    EXPECT_NE(refusal(ascii(first) + ascii(second, "")).find("truncated: ends before \"endsolid\""),
+              std::string::npos);
+}
+
+TEST_F(Stl, AsciiInOtherHands)
+{
+    std::string const facet =
+        "facet normal 0 0 1 outer loop vertex 0 0 0 vertex +1 0 0 vertex 0 1.D0 0 endloop endfacet";
+    EXPECT_EQ(shape::read_stl(file("\xEF\xBB\xBFsolid\r" + facet + "\rendsolid\r")).size(), 1u);
+    EXPECT_EQ(shape::read_stl(
+                  file("SOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 "
+                       "0\nENDLOOP\nENDFACET\nENDSOLID A\n"))
+                  .size(),
+              1u);
+    EXPECT_EQ(shape::read_stl(file("solid in one line " + facet + " " + facet + " endsolid")).size(), 2u);
+    EXPECT_NE(
+        refusal("solid a\n" + facet + "\nendsolid a " + facet).find("line 3: facets follow \"endsolid\""),
+        std::string::npos);
+    EXPECT_NE(refusal("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0,5 0\n")
+                  .find("line 4: \"0,5\" where a number"),
+              std::string::npos);
+}
+
+TEST_F(Stl, BinaryCountMustBeThatOfTheFile)
+{
+    std::string less = binary(box);
+    less[80] = 2;
+    EXPECT_NE(refusal(less).find("its header says 2 triangles, but its 684 bytes hold 12"),
+              std::string::npos);
+    less[80] = 0;
+    EXPECT_NE(refusal(less).find("its header says 0 triangles, but its 684 bytes hold 12"),
+              std::string::npos);
+    EXPECT_EQ(shape::read_stl(file(binary(box) + std::string(49, '\0'))).size(), 12u); // not a triangle
+}
+
 TEST_F(Stl, BadFilesAreRefusedWithTheReason)
 {
     EXPECT_THROW(shape::read_stl(folder / "none.stl"), InputError);
@@ -133,8 +181,9 @@ TEST_F(Stl, BadFilesAreRefusedWithTheReason)
     EXPECT_NE(refusal("solid a\nfacet normal 0 0 1\nouter lop\n")
                   .find("line 3: \"lop\" where \"loop\" is expected"),
               std::string::npos);
-    EXPECT_NE(refusal("solid a\nfaces\n").find("\"faces\" where \"facet\" or \"endsolid\" is expected"),
-              std::string::npos);
+    EXPECT_NE(
+        refusal("solid a\nfaces\n").find("line 2: \"faces\" where \"facet\" or \"endsolid\" is expected"),
+        std::string::npos);
     EXPECT_NE(refusal("solid a\nendsolid a\n").find("the mesh has no triangles"), std::string::npos);
     TriangleSoup broken = box;
     broken[3][1].y = std::numeric_limits<double>::quiet_NaN();

@@ -90,13 +90,31 @@ TEST(ParticleCsv, ReadsColumnsInAnyOrder)
 {
     auto const bodies = rig::custom::read_particle_csv("# a bed\r\n radius, z,y,x,vz,vy,vx\r\n\n"
                                                        "1e-3,3,2,1,6,5,4\r\n0.5,-1,0,0,0,0,0\n",
-                                                       "bed.csv");
+                                                       "bed.csv")
+                            .bodies;
     ASSERT_EQ(bodies.size(), 2u);
     EXPECT_EQ(bodies[0].place, (Vector3{1, 2, 3}));
     EXPECT_EQ(bodies[0].radius, 1e-3);
     EXPECT_EQ(bodies[0].velocity, (Vector3{4, 5, 6}));
     EXPECT_EQ(bodies[1].place.z, -1);
     EXPECT_EQ(bodies[1].origin, "bed.csv:5");
+}
+
+// As spreadsheets and Fortran programs write them.
+TEST(ParticleCsv, ReadsDialects)
+{
+    for (std::string const text : {"\xEF\xBB\xBFx,y,z,radius\n0,0,0.002,0.001\n",
+                                   "x,y,z,radius\n+0.000E+00,+0.000E+00,+2.000E-03,+1.000E-03\n",
+                                   "x,y,z,radius,\n0,0,0.002,0.001,\n", "X;Y;Z;Radius\n0;0;0,002;0,001\n",
+                                   "x y z radius\n0 0 2e-3 1e-3\n", "#x,y,z,radius\n0,0,0.002,0.001\r\n"}) {
+        auto const table = rig::custom::read_particle_csv(text, "bed.csv");
+        ASSERT_EQ(table.bodies.size(), 1u) << text;
+        EXPECT_EQ(table.bodies[0].place, (Vector3{0, 0, 0.002})) << text;
+        EXPECT_EQ(table.bodies[0].radius, 0.001) << text;
+        EXPECT_TRUE(table.unused.empty()) << text;
+    }
+    auto const named = rig::custom::read_particle_csv("id,colour,x,y,z,radius\n1,red,0,0,0,1\n", "bed.csv");
+    EXPECT_EQ(named.unused, (std::vector<std::string>{"id", "colour"}));
 }
 
 TEST(ParticleCsv, NamesFileLineAndColumn)
@@ -106,7 +124,7 @@ TEST(ParticleCsv, NamesFileLineAndColumn)
     EXPECT_THAT(csv_message("x,y,z,r\n1,2,3,1\n"), HasSubstr("bed.csv:1: unknown column \"r\""));
     EXPECT_THAT(csv_message("x,y,x,radius\n"), HasSubstr("two columns are called \"x\""));
     EXPECT_EQ(csv_message("x,y,z,radius\n1,2,3,1\n1,two,3,1\n"),
-              "bed.csv:3: column y: \"two\" is not a finite number");
+              "bed.csv:3: column y: \"two\" is not a number");
     EXPECT_THAT(csv_message("x,y,z,radius\n1,inf,3,1\n"), HasSubstr("bed.csv:2: column y: \"inf\""));
     EXPECT_THAT(csv_message("x,y,z,radius\n1,2,3\n"),
                 HasSubstr("bed.csv:2: has 3 values where the header has 4 columns"));

@@ -62,7 +62,7 @@ column = "na_tke"
 TableFit fit_of(std::string const& toml)
 {
     auto const input = FitInput::from_text(toml, DEMENS_TEST_DATA "/fit.toml");
-    return TableFit(input, CsvTable::from_file(input.table));
+    return TableFit(input, text::CsvTable::from_file(input.table));
 }
 
 //! y and z of the factors a and b.
@@ -73,7 +73,7 @@ TableFit fit_of_table(std::string const& rows, std::string const& more = "",
         FitInput::from_text("[fit]\ntable = \"t.csv\"\nmodel = \"linear\"\n" + more +
                                 "\n[[factor]]\ncolumn = \"a\"\n[[factor]]\ncolumn = \"b\"\n" + responses,
                             "fit.toml");
-    return TableFit(input, CsvTable::from_text(rows, "t.csv"));
+    return TableFit(input, text::CsvTable::from_text(rows, "t.csv"));
 }
 
 std::string const plane = "a,b,y\n0,0,1\n1,0,3.1\n0,1,2\n1,1,3.9\n0.5,0.5,2.6\n";
@@ -145,8 +145,8 @@ TEST(FitTable, AdmissibleRegionsOfKnownShape)
         FitInput::from_text("[fit]\ntable = \"t.csv\"\nselection = \"none\"\n[[factor]]\ncolumn = \"a\"\n"
                             "[[response]]\ncolumn = \"y\"\ntarget = 0.25\ntolerance = 0.05\n",
                             "fit.toml");
-    TableFit const parabola(input,
-                            CsvTable::from_text("a,y\n0,1\n0.25,0.25\n0.5,0\n0.75,0.25\n1,1\n", "t.csv"));
+    TableFit const parabola(
+        input, text::CsvTable::from_text("a,y\n0,1\n0.25,0.25\n0.5,0\n0.75,0.25\n1,1\n", "t.csv"));
     auto const strips = admissible_region(parabola, 2000);
     ASSERT_EQ(strips.parts.size(), 2u);
     // (2 a - 1)^2 from .2 to .3: sqrt(.3) - sqrt(.2) wide in 2 a - 1 on both sides
@@ -184,9 +184,10 @@ TEST(FitTable, BadInputIsNamed)
               "fit.toml: a fit needs at least one [[factor]] and one [[response]]");
     EXPECT_EQ(message([&] { fit_of_table("a,y\n0,1\n1,2\n"); }),
               "t.csv has no column `b`; its columns are a, y");
-    EXPECT_EQ(message([&] { fit_of_table("a,b,y\n0,0,1\n1,0,x\n"); }),
-              "t.csv:3: `x` in column `y` is not a number");
-    EXPECT_EQ(message([&] { fit_of_table("a,b,y\n0,0,1\n1,0\n"); }), "t.csv:3: 2 values for 3 columns");
+    EXPECT_EQ(message([&] { fit_of_table("a,b,y\n0,0,1\n1,1,x\n"); }),
+              "t.csv:3: column y: \"x\" is not a number");
+    EXPECT_EQ(message([&] { fit_of_table("a,b,y\n0,0,1\n1,0\n"); }),
+              "t.csv:3: has 2 values where the header has 3 columns, separated by commas");
     EXPECT_EQ(message([&] { fit_of_table("a,b,y\n0,1,1\n1,1,2\n"); }),
               "t.csv: factor `b` does not vary: its effect cannot be found");
     EXPECT_EQ(message([&] { fit_of_table("a,b,y\n0,0,1\n1,1,2\n0.5,0.5,1.7\n0.2,0.2,1.3\n"); }),

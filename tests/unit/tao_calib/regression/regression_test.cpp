@@ -1,5 +1,5 @@
 #include "tao_calib/regression/analysis.hpp"
-#include "tao_calib/regression/csv_table.hpp"
+#include "tao_calib/regression/table_column.hpp"
 
 #include "demens/base/error.hpp"
 #include "tao_calib/design/fractional_factorial.hpp"
@@ -179,17 +179,17 @@ TEST(Regression, Longley)
 // El Kassem et al. (2021), Table 6, where it prints .975, .983, .998, .986; hierarchy by products.
 TEST(Regression, AugerDosingOfLactose)
 {
-    auto const table = CsvTable::from_file(DEMENS_TEST_DATA "/auger_lactose_doe.csv");
+    auto const table = demens::text::CsvTable::from_file(DEMENS_TEST_DATA "/auger_lactose_doe.csv");
     RegressionData data{{"speed", "mu_s_pp", "mu_s_pw", "mu_r_pp"}, "", Eigen::MatrixXd(20, 4), {}};
     Eigen::Vector4d const lower(400, .3, .1, .1), upper(800, .8, .4, .7);
     for (int k = 0; k < 4; ++k)
         data.coded.col(k) =
-            2 * (table.column(data.factors[k]).array() - lower[k]) / (upper[k] - lower[k]) - 1;
+            2 * (column_values(table, data.factors[k]).array() - lower[k]) / (upper[k] - lower[k]) - 1;
     std::pair<char const*, double> const published[] = {
         {"aor", .974}, {"bulk_density", .983}, {"mass_flow", .998}, {"na_tke", .986}};
     for (auto const& [response, adjusted_r_squared] : published) {
         data.response = response;
-        data.values = table.column(response);
+        data.values = column_values(table, response);
         auto const reduced = eliminate_backward(data, polynomial_terms(PolynomialModel::quadratic, 4));
         EXPECT_NEAR(reduced.regression.adjusted_r_squared(), adjusted_r_squared, 5e-4) << response;
         EXPECT_GT(reduced.regression.predicted_r_squared(), 0.9) << response;
@@ -198,13 +198,13 @@ TEST(Regression, AugerDosingOfLactose)
     // Figure 8: rolling friction rules the angle of repose, the wall hardly matters; figure 10: speed up,
     // wall down.
     data.response = "aor";
-    data.values = table.column("aor");
+    data.values = column_values(table, "aor");
     auto const shares = influence_shares(data);
     EXPECT_NEAR(shares.sum(), 1, 1e-12);
     EXPECT_GT(shares[3], shares[1]);
     EXPECT_GT(shares[1], shares[0]);
     EXPECT_GT(shares[0], shares[2]);
-    data.values = table.column("mass_flow");
+    data.values = column_values(table, "mass_flow");
     auto const effects =
         pareto(eliminate_backward(data, polynomial_terms(PolynomialModel::quadratic, 4)).regression);
     EXPECT_EQ(effects[0].term, "speed");
