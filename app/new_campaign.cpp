@@ -2,9 +2,9 @@
 
 #include "app/command.hpp"
 #include "demens/base/error.hpp"
+#include "ensemble/file/parts.hpp"
 #include "ensemble/session.hpp"
 #include "ensemble/storage/lock.hpp"
-#include "ensemble/storage/parts.hpp"
 #include "tao_calib/design/design.hpp"
 
 #include <algorithm>

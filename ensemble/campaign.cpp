@@ -2,7 +2,27 @@
 
 #include <algorithm>
 
+namespace demens {
+
+template <>
+std::vector<Word<ensemble::WavePurpose>> const& words_of()
+{
+    using enum ensemble::WavePurpose;
+    static std::vector<Word<ensemble::WavePurpose>> const words = {
+        {screening, "screening"}, {design, "design"}, {search, "search"}, {confirmation, "confirmation"}};
+    return words;
+}
+
+} // namespace demens
+
 namespace demens::ensemble {
+
+NamedArray const* Wave::find(stored::ArrayName const& name) const
+{
+    auto const found = std::find_if(analysis.begin(), analysis.end(),
+                                    [&](auto const& array) { return array.path == name.path; });
+    return found == analysis.end() ? nullptr : &*found;
+}
 
 int Campaign::runs_planned() const
 {

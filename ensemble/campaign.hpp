@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ensemble/input/campaign_input.hpp"
+#include "ensemble/stored_arrays.hpp"
 
 #include <optional>
 #include <string>
@@ -32,7 +33,14 @@ struct RunRecord
     std::optional<dem::EnergyLedger> energy = {}; //!< at the end, of a run with the ledger
 };
 
-//! A named array that the calibration stores with a wave (surrogate, optimum), e.g. `optimum/best_point`.
+//! Snapshots (e.g. "settled", "final"; without velocities) and series of one run.
+struct RunDetails
+{
+    std::vector<rig::Snapshot> snapshots;
+    rig::Series series;
+};
+
+//! An array that the calibration stores with a wave; `stored` lists them.
 struct NamedArray
 {
     std::string path; //!< below /waves/NNNN/
@@ -42,15 +50,27 @@ struct NamedArray
     std::string doc;
 };
 
+//! What the runs of a wave are for.
+enum class WavePurpose
+{
+    screening,   //!< which factors act
+    design,      //!< the first look at all of the range
+    search,      //!< the way to the optimum
+    confirmation //!< the best location again, with fresh packings
+};
+
 //! Runs that were planned together, and what the calibration made of all runs up to them.
 struct Wave
 {
     int number = 0;
-    std::string purpose; //!< "screening", "design", "search", "confirmation"
+    WavePurpose purpose = WavePurpose::design;
     std::vector<RunRecord> runs;
     std::vector<NamedArray> analysis;
     double wall_time = 0; //!< [s]
     int groups = 0;
+
+    //! The stored array of that name, or null.
+    NamedArray const* find(stored::ArrayName const& name) const;
 };
 
 //! All of a campaign that later decisions rest on.
@@ -67,3 +87,10 @@ struct Campaign
 };
 
 } // namespace demens::ensemble
+
+namespace demens {
+
+template <>
+std::vector<Word<ensemble::WavePurpose>> const& words_of();
+
+} // namespace demens

@@ -1,9 +1,9 @@
 #include "demens/base/error.hpp"
 #include "ensemble/file/campaign_file.hpp"
+#include "ensemble/file/parts.hpp"
 #include "ensemble/file/run_tables.hpp"
 #include "ensemble/session.hpp"
 #include "ensemble/storage/lock.hpp"
-#include "ensemble/storage/parts.hpp"
 
 #include <fmt/format.h>
 

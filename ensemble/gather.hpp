@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ensemble/storage/parts.hpp"
+#include "ensemble/file/parts.hpp"
 
 #include <mpi.h>
 

@@ -139,7 +139,7 @@ int Session::groups() const
     return implementation_->groups->count();
 }
 
-void Session::plan_wave(std::string const& purpose, std::vector<std::vector<double>> const& points)
+void Session::plan_wave(WavePurpose purpose, std::vector<std::vector<double>> const& points)
 {
     auto& self = *implementation_;
     auto& campaign = *self.campaign;

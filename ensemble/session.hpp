@@ -16,9 +16,6 @@ enum class WaveEnd
     drained   //!< asked to stop (SIGUSR1, SIGTERM): nothing lost, go on later; the program exits with 75
 };
 
-//! What `rig = "..."` in a campaign may name.
-using Rigs = std::vector<rig::RigInfo>;
-
 //! What a session can be told beside the campaign.
 struct SessionOptions
 {
@@ -42,7 +39,7 @@ class Session
 
     //! Adds a wave: all experiments and replicates at each design point (own units). The plan is in the file
     //! when this returns. The arguments of rank 0 count.
-    void plan_wave(std::string const& purpose, std::vector<std::vector<double>> const& points);
+    void plan_wave(WavePurpose purpose, std::vector<std::vector<double>> const& points);
     //! Runs what the last wave still lacks, longest predicted run first, and gathers it into the file.
     WaveEnd run_wave();
     //! Stores what the calibration made of the runs with the last wave. Rank 0's arguments count.
@@ -59,12 +56,6 @@ class Session
 void create_campaign_file(std::filesystem::path const& file, CampaignInput const& input);
 //! Reads a campaign file on one rank, without opening it for writing. \throws InputError
 Campaign read_campaign_file(std::filesystem::path const& file, Rigs const& rigs = rig::all_rigs());
-//! Snapshots (e.g. "settled", "final"; without velocities) and series of one run.
-struct RunDetails
-{
-    std::vector<rig::Snapshot> snapshots;
-    rig::Series series;
-};
 //! \throws InputError when the campaign has no such run or it has not been simulated
 RunDetails read_run_details(std::filesystem::path const& file, int run, Rigs const& rigs = rig::all_rigs());
 

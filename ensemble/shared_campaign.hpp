@@ -1,6 +1,9 @@
 #pragma once
 
-#include "ensemble/session.hpp"
+#include "ensemble/campaign.hpp"
+
+#include <filesystem>
+#include <mpi.h>
 
 namespace demens::ensemble {
 

@@ -1,12 +1,13 @@
 #include "ensemble/status.hpp"
 
 #include "demens/base/error.hpp"
+#include "ensemble/file/parts.hpp"
 #include "ensemble/file/run_tables.hpp"
 #include "ensemble/progress.hpp"
 #include "ensemble/run/execute.hpp"
+#include "ensemble/session.hpp"
 #include "ensemble/storage/journal.hpp"
 #include "ensemble/storage/lock.hpp"
-#include "ensemble/storage/parts.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -71,33 +72,32 @@ RunCounts counts_of_open(fs::path const& file, Campaign const& campaign, Wave co
     return counts;
 }
 
-NamedArray const* latest(Campaign const& campaign, std::string const& path)
+NamedArray const* latest(Campaign const& campaign, stored::ArrayName const& name)
 {
     for (auto wave = campaign.waves.rbegin(); wave != campaign.waves.rend(); ++wave)
-        for (auto const& array : wave->analysis)
-            if (array.path == path && !array.data.empty())
-                return &array;
+        if (auto const* array = wave->find(name); array && !array->data.empty())
+            return array;
     return nullptr;
 }
 
 std::string best_fit(Campaign const& campaign)
 {
-    auto const* wmse = latest(campaign, "optimum/wmse");
-    auto const* point = latest(campaign, "optimum/best_point");
+    auto const* wmse = latest(campaign, stored::optimum::wmse);
+    auto const* point = latest(campaign, stored::optimum::best_point);
     if (!wmse || !point || point->data.size() != campaign.input.factors.size())
         return "best fit   none yet\n";
     auto text = fmt::format("best fit   weighted mean square error {:.4g}", wmse->data.front());
-    if (auto const* run = latest(campaign, "optimum/best_run"))
+    if (auto const* run = latest(campaign, stored::optimum::best_run))
         text += fmt::format(" (run {:.0f})", run->data.front());
     text += "\n";
-    auto const* interval = latest(campaign, "optimum/factor_interval");
+    auto const* interval = latest(campaign, stored::optimum::factor_interval);
     for (std::size_t k = 0; k < point->data.size(); ++k) {
         text += fmt::format("           {:<28} {:>12.5g}", campaign.input.factors[k].name, point->data[k]);
         if (interval && interval->data.size() == 2 * point->data.size())
             text += fmt::format("   {:.4g} to {:.4g}", interval->data[2 * k], interval->data[2 * k + 1]);
         text += "\n";
     }
-    auto const* responses = latest(campaign, "optimum/best_responses");
+    auto const* responses = latest(campaign, stored::optimum::best_responses);
     std::size_t t = 0;
     for (auto const& experiment : campaign.input.experiments)
         for (auto const& target : experiment.targets) {
@@ -128,9 +128,9 @@ std::string status_text(fs::path const& file, Rigs const& rigs)
         bool const complete = is_complete(wave);
         auto const counts =
             complete ? counts_of_complete(wave) : counts_of_open(file, campaign, wave, !owner.empty());
-        text += fmt::format("{:<6} {:<14} {:>6} {:>6} {:>8} {:>7} {:>13}\n", wave.number, wave.purpose,
-                            wave.runs.size(), counts.done, counts.running, counts.failed,
-                            complete ? duration_text(wave.wall_time) : "");
+        text += fmt::format("{:<6} {:<14} {:>6} {:>6} {:>8} {:>7} {:>13}\n", wave.number,
+                            word_for(wave.purpose), wave.runs.size(), counts.done, counts.running,
+                            counts.failed, complete ? duration_text(wave.wall_time) : "");
         total.done += counts.done;
         total.failed += counts.failed;
         total.running += counts.running;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ensemble/session.hpp"
+#include "ensemble/campaign.hpp"
 
 #include <filesystem>
 #include <string>

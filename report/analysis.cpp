@@ -7,12 +7,13 @@
 namespace demens::report {
 
 using nlohmann::json;
+namespace stored = ensemble::stored;
 
 namespace {
 
 bool is_analysed(ensemble::Wave const& wave)
 {
-    return std::ranges::any_of(wave.analysis, [](auto const& array) { return array.path == "history/wmse"; });
+    return wave.find(stored::history::wmse) != nullptr;
 }
 
 //! Row-major data as lists in lists.
@@ -37,26 +38,23 @@ Analysis::Analysis(ensemble::Campaign const& campaign)
     }
 }
 
-ensemble::NamedArray const* Analysis::find(std::string const& path) const
+ensemble::NamedArray const* Analysis::find(stored::ArrayName const& name) const
 {
-    if (!wave_)
-        return nullptr;
-    auto const found = std::ranges::find(wave_->analysis, path, &ensemble::NamedArray::path);
-    return found == wave_->analysis.end() ? nullptr : &*found;
+    return wave_ ? wave_->find(name) : nullptr;
 }
 
-json Analysis::values(std::string const& path) const
+json Analysis::values(stored::ArrayName const& name) const
 {
-    auto const* array = find(path);
+    auto const* array = find(name);
     if (!array || array->shape.empty())
         return nullptr;
     std::size_t next = 0;
     return nested(*array, 0, next);
 }
 
-double Analysis::scalar(std::string const& path) const
+double Analysis::scalar(stored::ArrayName const& name) const
 {
-    auto const* array = find(path);
+    auto const* array = find(name);
     return array && !array->data.empty() ? array->data.front() : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -66,71 +64,71 @@ json optimum_of(Analysis const& analysis)
         return nullptr;
     return {
         {"wave", analysis.wave()},
-        {"point", analysis.values("optimum/best_point")},
-        {"point_number", analysis.scalar("optimum/best_point_number")},
-        {"run", analysis.scalar("optimum/best_run")},
-        {"repetitions", analysis.scalar("optimum/best_repetitions")},
-        {"responses", analysis.values("optimum/best_responses")},
-        {"residuals", analysis.values("optimum/best_residuals")},
-        {"wmse", analysis.scalar("optimum/wmse")},
-        {"mean_square_residual", analysis.scalar("optimum/mean_square_residual")},
-        {"predicted_point", analysis.values("optimum/predicted_point")},
-        {"predicted_responses", analysis.values("optimum/predicted_responses")},
-        {"predicted_sd", analysis.values("optimum/predicted_sd")},
-        {"predicted_wmse", analysis.scalar("optimum/predicted_wmse")},
-        {"standard_error", analysis.values("optimum/factor_standard_error")},
-        {"interval", analysis.values("optimum/factor_interval")},
-        {"correlation", analysis.values("optimum/factor_correlation")},
-        {"verdict", analysis.values("optimum/factor_verdict")},
-        {"objective", analysis.scalar("optimum/objective")},
-        {"out_of_reach", analysis.values("optimum/out_of_reach")},
+        {"point", analysis.values(stored::optimum::best_point)},
+        {"point_number", analysis.scalar(stored::optimum::best_point_number)},
+        {"run", analysis.scalar(stored::optimum::best_run)},
+        {"repetitions", analysis.scalar(stored::optimum::best_repetitions)},
+        {"responses", analysis.values(stored::optimum::best_responses)},
+        {"residuals", analysis.values(stored::optimum::best_residuals)},
+        {"wmse", analysis.scalar(stored::optimum::wmse)},
+        {"mean_square_residual", analysis.scalar(stored::optimum::mean_square_residual)},
+        {"predicted_point", analysis.values(stored::optimum::predicted_point)},
+        {"predicted_responses", analysis.values(stored::optimum::predicted_responses)},
+        {"predicted_sd", analysis.values(stored::optimum::predicted_sd)},
+        {"predicted_wmse", analysis.scalar(stored::optimum::predicted_wmse)},
+        {"standard_error", analysis.values(stored::optimum::factor_standard_error)},
+        {"interval", analysis.values(stored::optimum::factor_interval)},
+        {"correlation", analysis.values(stored::optimum::factor_correlation)},
+        {"verdict", analysis.values(stored::optimum::factor_verdict)},
+        {"objective", analysis.scalar(stored::optimum::objective)},
+        {"out_of_reach", analysis.values(stored::optimum::out_of_reach)},
     };
 }
 
 json findings_of(Analysis const& analysis)
 {
-    if (!analysis.find("region/share"))
+    if (!analysis.find(stored::region::share))
         return nullptr;
     return {
-        {"by_tolerance", analysis.scalar("region/by_tolerance") == 1},
-        {"share", analysis.scalar("region/share")},
-        {"part_shares", analysis.values("region/part_shares")},
-        {"part_lower", analysis.values("region/part_lower")},
-        {"part_upper", analysis.values("region/part_upper")},
-        {"pairs", analysis.values("tradeoff/factors")},
-        {"correlation", analysis.values("tradeoff/correlation")},
-        {"separated_by", analysis.values("tradeoff/response")},
-        {"variance_removed", analysis.values("tradeoff/variance_removed")},
+        {"by_tolerance", analysis.scalar(stored::region::by_tolerance) == 1},
+        {"share", analysis.scalar(stored::region::share)},
+        {"part_shares", analysis.values(stored::region::part_shares)},
+        {"part_lower", analysis.values(stored::region::part_lower)},
+        {"part_upper", analysis.values(stored::region::part_upper)},
+        {"pairs", analysis.values(stored::tradeoff::factors)},
+        {"correlation", analysis.values(stored::tradeoff::correlation)},
+        {"separated_by", analysis.values(stored::tradeoff::response)},
+        {"variance_removed", analysis.values(stored::tradeoff::variance_removed)},
     };
 }
 
 json screening_of(Analysis const& analysis)
 {
-    if (!analysis.find("screening/active"))
+    if (!analysis.find(stored::screening::active))
         return nullptr;
     return {
-        {"active", analysis.values("screening/active")},
-        {"fixed_value", analysis.values("screening/fixed_value")},
-        {"effects", analysis.values("screening/effects")},
-        {"p_values", analysis.values("screening/p_values")},
-        {"error_degrees", analysis.values("screening/error_degrees")},
-        {"from_replicates", analysis.scalar("screening/error_from_replicates") == 1},
+        {"active", analysis.values(stored::screening::active)},
+        {"fixed_value", analysis.values(stored::screening::fixed_value)},
+        {"effects", analysis.values(stored::screening::effects)},
+        {"p_values", analysis.values(stored::screening::p_values)},
+        {"error_degrees", analysis.values(stored::screening::error_degrees)},
+        {"from_replicates", analysis.scalar(stored::screening::error_from_replicates) == 1},
     };
 }
 
 json surrogate_of(Analysis const& analysis)
 {
-    if (!analysis.find("surrogate/slices"))
+    if (!analysis.find(stored::surrogate::slices))
         return nullptr;
     return {
-        {"locations", analysis.scalar("surrogate/locations")},
-        {"kind", analysis.values("surrogate/kind")},
-        {"leave_one_out_rmse", analysis.values("surrogate/leave_one_out_rmse")},
-        {"leave_one_out_r2", analysis.values("surrogate/leave_one_out_r2")},
-        {"replicate_sd", analysis.values("surrogate/replicate_sd")},
-        {"slice_values", analysis.values("surrogate/slice_values")},
-        {"slices", analysis.values("surrogate/slices")},
-        {"slice_sd", analysis.values("surrogate/slice_sd")},
+        {"locations", analysis.scalar(stored::surrogate::locations)},
+        {"kind", analysis.values(stored::surrogate::kind)},
+        {"leave_one_out_rmse", analysis.values(stored::surrogate::leave_one_out_rmse)},
+        {"leave_one_out_r2", analysis.values(stored::surrogate::leave_one_out_r2)},
+        {"replicate_sd", analysis.values(stored::surrogate::replicate_sd)},
+        {"slice_values", analysis.values(stored::surrogate::slice_values)},
+        {"slices", analysis.values(stored::surrogate::slices)},
+        {"slice_sd", analysis.values(stored::surrogate::slice_sd)},
     };
 }
 

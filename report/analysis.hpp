@@ -14,14 +14,14 @@ class Analysis
 
     //! Number of the wave, -1 when none was analysed yet.
     int wave() const { return wave_ ? wave_->number : -1; }
-    //! The array of that path, or null.
-    ensemble::NamedArray const* find(std::string const& path) const;
+    //! The array of that name, or null.
+    ensemble::NamedArray const* find(ensemble::stored::ArrayName const& name) const;
     //! Its data as nested lists of its shape; null when it is absent.
-    nlohmann::json values(std::string const& path) const;
+    nlohmann::json values(ensemble::stored::ArrayName const& name) const;
     //! The first value of the array; NaN when it is absent.
-    double scalar(std::string const& path) const;
+    double scalar(ensemble::stored::ArrayName const& name) const;
     //! Is there a best fit?
-    bool has_best() const { return find("optimum/best_point") != nullptr; }
+    bool has_best() const { return find(ensemble::stored::optimum::best_point) != nullptr; }
 
   private:
     ensemble::Wave const* wave_ = nullptr;

@@ -7,6 +7,7 @@
 namespace demens::report {
 
 using nlohmann::json;
+namespace stored = ensemble::stored;
 
 namespace {
 
@@ -102,7 +103,7 @@ json waves_of(ensemble::Campaign const& campaign)
         for (auto const& run : wave.runs)
             runs.push_back(run_of(run));
         list.push_back({{"number", wave.number},
-                        {"purpose", wave.purpose},
+                        {"purpose", word_for(wave.purpose)},
                         {"wall_time", wave.wall_time},
                         {"groups", wave.groups},
                         {"runs", runs}});
@@ -132,7 +133,7 @@ json details_of_shown_runs(ensemble::Campaign const& campaign, Analysis const& a
                            DetailsOf const& details_of)
 {
     json list = json::array();
-    auto const* best_point = analysis.find("optimum/best_point");
+    auto const* best_point = analysis.find(stored::optimum::best_point);
     for (std::size_t e = 0; e < campaign.input.experiments.size(); ++e) {
         auto const* run = shown_run(campaign, static_cast<int>(e), best_point);
         if (!run)
@@ -160,25 +161,25 @@ json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of
 {
     auto const& input = campaign.input;
     Analysis const analysis(campaign);
-    return {
-        {"name", input.name},
-        {"seed", input.seed},
-        {"ended", campaign.ended},
-        {"objective", input.objective.kind},
-        {"stop", {{"wmse", input.stop.wmse}, {"runs", input.stop.runs}, {"waves", input.stop.waves}}},
-        {"factors", factors_of(input)},
-        {"constraints", constraints_of(input)},
-        {"experiments", experiments_of(input)},
-        {"targets", targets_of(input)},
-        {"waves", waves_of(campaign)},
-        {"history",
-         {{"wmse", analysis.values("history/wmse")}, {"point_wmse", analysis.values("history/point_wmse")}}},
-        {"optimum", optimum_of(analysis)},
-        {"surrogate", surrogate_of(analysis)},
-        {"findings", findings_of(analysis)},
-        {"screening", screening_of(analysis)},
-        {"details", details_of_shown_runs(campaign, analysis, details_of)},
-        {"input", {{"text", input.text()}, {"resolved", input.resolved_text()}}}};
+    return {{"name", input.name},
+            {"seed", input.seed},
+            {"ended", campaign.ended},
+            {"objective", word_for(input.objective.kind)},
+            {"stop", {{"wmse", input.stop.wmse}, {"runs", input.stop.runs}, {"waves", input.stop.waves}}},
+            {"factors", factors_of(input)},
+            {"constraints", constraints_of(input)},
+            {"experiments", experiments_of(input)},
+            {"targets", targets_of(input)},
+            {"waves", waves_of(campaign)},
+            {"history",
+             {{"wmse", analysis.values(stored::history::wmse)},
+              {"point_wmse", analysis.values(stored::history::point_wmse)}}},
+            {"optimum", optimum_of(analysis)},
+            {"surrogate", surrogate_of(analysis)},
+            {"findings", findings_of(analysis)},
+            {"screening", screening_of(analysis)},
+            {"details", details_of_shown_runs(campaign, analysis, details_of)},
+            {"input", {{"text", input.text()}, {"resolved", input.resolved_text()}}}};
 }
 
 } // namespace demens::report

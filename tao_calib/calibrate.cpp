@@ -14,6 +14,7 @@ namespace {
 
 using ensemble::NamedArray;
 using ensemble::Session;
+namespace stored = ensemble::stored;
 
 bool has_runs_left(ensemble::Campaign const& campaign)
 {
@@ -30,8 +31,7 @@ bool calibrated(ensemble::Campaign const& campaign)
     if (Objective(campaign.input).size() == 0 || campaign.input.stop.waves == 0)
         return true; // the design alone was asked for
     return std::any_of(campaign.waves.begin(), campaign.waves.end(), [](auto const& wave) {
-        return std::any_of(wave.analysis.begin(), wave.analysis.end(),
-                           [](auto const& array) { return array.path == "optimum/predicted_point"; });
+        return wave.find(stored::optimum::predicted_point) != nullptr;
     });
 }
 
@@ -70,7 +70,9 @@ void broadcast(NextStep& step, MPI_Comm communicator)
     int kind = static_cast<int>(step.kind);
     MPI_Bcast(&kind, 1, MPI_INT, 0, communicator);
     step.kind = static_cast<NextStep::Kind>(kind);
-    broadcast(step.purpose, communicator);
+    int purpose = static_cast<int>(step.purpose);
+    MPI_Bcast(&purpose, 1, MPI_INT, 0, communicator);
+    step.purpose = static_cast<ensemble::WavePurpose>(purpose);
     broadcast(step.reason, communicator);
     int sizes[2] = {static_cast<int>(step.points.size()),
                     step.points.empty() ? 0 : static_cast<int>(step.points.front().size())};

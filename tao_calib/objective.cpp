@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 namespace demens::tao_calib {
+
+using ensemble::ObjectiveKind;
 namespace {
 
 using Eigen::Index;
@@ -30,24 +32,8 @@ std::vector<CampaignTarget> targets_of(ensemble::CampaignInput const& input)
 
 Objective::Objective(ensemble::CampaignInput const& input) : Objective(targets_of(input), input.objective) {}
 
-Objective::Kind Objective::kind_of(std::string const& word)
-{
-    if (word == "wmse")
-        return Kind::wmse;
-    if (word == "weighted_least_squares")
-        return Kind::weighted_least_squares;
-    if (word == "root_sum_of_squares")
-        return Kind::root_sum_of_squares;
-    if (word == "relative_deviations")
-        return Kind::relative_deviations;
-    throw InputError(
-        fmt::format("[objective] kind = \"{}\" is not known; known are wmse, weighted_least_squares, "
-                    "root_sum_of_squares, relative_deviations",
-                    word));
-}
-
 Objective::Objective(std::vector<CampaignTarget> targets, ensemble::ObjectiveOptions const& options)
-    : targets_(std::move(targets)), kind_(kind_of(options.kind)),
+    : targets_(std::move(targets)), kind_(options.kind),
       combinations_(static_cast<Index>(options.combinations.size()), size()), wanted_(residual_count()),
       units_(residual_count())
 {
@@ -55,10 +41,10 @@ Objective::Objective(std::vector<CampaignTarget> targets, ensemble::ObjectiveOpt
     auto set = [&](Index place, int t) {
         auto const& target = targets_[t].target;
         wanted_[place] = target.value;
-        units_[place] = kind_ == Kind::wmse                     ? target.scale
-                        : kind_ == Kind::weighted_least_squares ? sd[t]
-                        : kind_ == Kind::root_sum_of_squares    ? 1.0
-                                                                : std::abs(target.value);
+        units_[place] = kind_ == ObjectiveKind::wmse                     ? target.scale
+                        : kind_ == ObjectiveKind::weighted_least_squares ? sd[t]
+                        : kind_ == ObjectiveKind::root_sum_of_squares    ? 1.0
+                                                                         : std::abs(target.value);
     };
     for (int t = 0; t < size(); ++t) {
         set(t, t);
@@ -82,13 +68,13 @@ double Objective::value(VectorXd const& responses) const
 {
     VectorXd const all = deviations(responses);
     switch (kind_) {
-    case Kind::wmse:
+    case ObjectiveKind::wmse:
         return all.squaredNorm() / (size() * weight_sum_);
-    case Kind::weighted_least_squares:
+    case ObjectiveKind::weighted_least_squares:
         return all.squaredNorm() / residual_count();
-    case Kind::root_sum_of_squares:
+    case ObjectiveKind::root_sum_of_squares:
         return all.norm();
-    case Kind::relative_deviations:
+    case ObjectiveKind::relative_deviations:
         return all.cwiseAbs().sum();
     }
     return 0;
@@ -99,7 +85,7 @@ double Objective::value(VectorXd const& responses) const
 VectorXd Objective::search_residuals(VectorXd const& responses) const
 {
     VectorXd result = deviations(responses);
-    if (kind_ == Kind::relative_deviations)
+    if (kind_ == ObjectiveKind::relative_deviations)
         for (double& d : result)
             d = std::copysign(std::sqrt(std::hypot(d, rounding) - rounding), d);
     return result;
@@ -110,7 +96,7 @@ MatrixXd Objective::search_slopes(VectorXd const& responses) const
     MatrixXd slopes(residual_count(), size());
     slopes << MatrixXd::Identity(size(), size()), combinations_;
     VectorXd factors = units_.cwiseInverse();
-    if (kind_ == Kind::relative_deviations) {
+    if (kind_ == ObjectiveKind::relative_deviations) {
         VectorXd const all = deviations(responses);
         for (Index i = 0; i < all.size(); ++i) {
             double const d = all[i], length = std::hypot(d, rounding);

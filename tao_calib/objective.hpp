@@ -50,19 +50,11 @@ class Objective
     Eigen::VectorXd measurement_sd() const;
 
   private:
-    enum class Kind
-    {
-        wmse,
-        weighted_least_squares,
-        root_sum_of_squares,
-        relative_deviations
-    };
-    static Kind kind_of(std::string const& word);
     //! Deviations of targets and combinations, each over its unit.
     Eigen::VectorXd deviations(Eigen::VectorXd const& responses) const;
 
     std::vector<CampaignTarget> targets_;
-    Kind kind_;
+    ensemble::ObjectiveKind kind_;
     Eigen::MatrixXd combinations_; //!< [combinations x m] coefficients
     Eigen::VectorXd wanted_;       //!< [m + combinations] what each should be
     Eigen::VectorXd units_;        //!< [m + combinations] deviation that counts as one

@@ -15,6 +15,7 @@ namespace {
 using ensemble::Campaign;
 using ensemble::NamedArray;
 using ensemble::Wave;
+namespace stored = ensemble::stored;
 
 //! The last wave that was analysed, or null.
 Wave const* last_analysed(Campaign const& campaign)
@@ -25,12 +26,10 @@ Wave const* last_analysed(Campaign const& campaign)
 }
 
 //! Data of a stored array, or null.
-std::vector<double> const* find(Wave const& wave, std::string const& path)
+std::vector<double> const* find(Wave const& wave, stored::ArrayName const& name)
 {
-    for (auto const& array : wave.analysis)
-        if (array.path == path)
-            return &array.data;
-    return nullptr;
+    auto const* array = wave.find(name);
+    return array ? &array->data : nullptr;
 }
 
 std::size_t widest(std::size_t least, auto const& items, auto const& text)
@@ -42,9 +41,9 @@ std::size_t widest(std::size_t least, auto const& items, auto const& text)
 
 void add_factors(std::string& out, Campaign const& campaign, Wave const& wave)
 {
-    auto const* best = find(wave, "optimum/best_point");
-    auto const* interval = find(wave, "optimum/factor_interval");
-    auto const* verdict = find(wave, "optimum/factor_verdict");
+    auto const* best = find(wave, stored::optimum::best_point);
+    auto const* interval = find(wave, stored::optimum::factor_interval);
+    auto const* verdict = find(wave, stored::optimum::factor_verdict);
     auto const& factors = campaign.input.factors;
     auto const width = widest(6, factors, [](auto const& factor) { return factor.name; });
     fmt::format_to(std::back_inserter(out), "\n  {:<{}}  {:>12}  {:>27}  {}\n", "factor", width, "best point",
@@ -60,8 +59,8 @@ void add_factors(std::string& out, Campaign const& campaign, Wave const& wave)
 
 void add_targets(std::string& out, Campaign const& campaign, Wave const& wave)
 {
-    auto const* simulated = find(wave, "optimum/best_responses");
-    auto const* residual = find(wave, "optimum/best_residuals");
+    auto const* simulated = find(wave, stored::optimum::best_responses);
+    auto const* residual = find(wave, stored::optimum::best_residuals);
     Objective const objective(campaign.input);
     auto const& targets = objective.targets();
     auto const width = widest(8, targets, [](auto const& target) { return target.name; });
@@ -81,8 +80,8 @@ void add_targets(std::string& out, Campaign const& campaign, Wave const& wave)
 
 void add_screening(std::string& out, Campaign const& campaign, Wave const& wave)
 {
-    auto const* p_values = find(wave, "screening/p_values");
-    auto const* fixed = find(wave, "screening/fixed_value");
+    auto const* p_values = find(wave, stored::screening::p_values);
+    auto const* fixed = find(wave, stored::screening::fixed_value);
     if (!p_values || !fixed)
         return;
     auto const& factors = campaign.input.factors;
@@ -102,9 +101,9 @@ void add_findings(std::string& out, Campaign const& campaign, Wave const& wave)
 {
     auto const to = std::back_inserter(out);
     auto const& factors = campaign.input.factors;
-    if (auto const* share = find(wave, "region/share")) {
-        auto const* parts = find(wave, "region/part_shares");
-        auto const* by_tolerance = find(wave, "region/by_tolerance");
+    if (auto const* share = find(wave, stored::region::share)) {
+        auto const* parts = find(wave, stored::region::part_shares);
+        auto const* by_tolerance = find(wave, stored::region::by_tolerance);
         fmt::format_to(to, "\n  {}: {}\n",
                        by_tolerance->front() == 1 ? "predicted within every tolerance"
                                                   : "compatible with the targets at 95 %",
@@ -113,10 +112,10 @@ void add_findings(std::string& out, Campaign const& campaign, Wave const& wave)
                                             parts->size() == 1 ? "one region"
                                                                : fmt::format("{} regions", parts->size())));
     }
-    if (auto const* pairs = find(wave, "tradeoff/factors")) {
-        auto const& correlation = *find(wave, "tradeoff/correlation");
-        auto const& response = *find(wave, "tradeoff/response");
-        auto const& removed = *find(wave, "tradeoff/variance_removed");
+    if (auto const* pairs = find(wave, stored::tradeoff::factors)) {
+        auto const& correlation = *find(wave, stored::tradeoff::correlation);
+        auto const& response = *find(wave, stored::tradeoff::response);
+        auto const& removed = *find(wave, stored::tradeoff::variance_removed);
         for (std::size_t i = 0; i < correlation.size(); ++i) {
             fmt::format_to(to, "  {} and {} trade off (correlation {:.2f}); ",
                            factors[static_cast<std::size_t>((*pairs)[2 * i])].name,
@@ -133,12 +132,12 @@ void add_findings(std::string& out, Campaign const& campaign, Wave const& wave)
         }
     }
     Objective const objective(campaign.input);
-    if (auto const* r2 = find(wave, "surrogate/leave_one_out_r2"))
+    if (auto const* r2 = find(wave, stored::surrogate::leave_one_out_r2))
         for (std::size_t t = 0; t < r2->size(); ++t)
             if (std::isnan((*r2)[t]))
                 fmt::format_to(to, "  warning: {} is the same in all runs: no factor acts on it\n",
                                objective.targets()[t].name);
-    if (auto const* distances = find(wave, "optimum/out_of_reach")) {
+    if (auto const* distances = find(wave, stored::optimum::out_of_reach)) {
         for (std::size_t t = 0; t < distances->size(); ++t)
             if ((*distances)[t] != 0)
                 fmt::format_to(to,
@@ -172,14 +171,15 @@ std::string summary(Campaign const& campaign)
 {
     std::string out = "Campaign " + campaign.input.name + "\n";
     Wave const* wave = last_analysed(campaign);
-    if (wave && find(*wave, "optimum/best_point")) {
+    if (wave && find(*wave, stored::optimum::best_point)) {
         fmt::format_to(std::back_inserter(out),
                        "\n  best: design point {:.0f}, simulated {:.0f} times; weighted mean square error "
                        "{:.4g}, mean square "
                        "residual {:.4g}\n",
-                       find(*wave, "optimum/best_point_number")->front(),
-                       find(*wave, "optimum/best_repetitions")->front(), find(*wave, "optimum/wmse")->front(),
-                       find(*wave, "optimum/mean_square_residual")->front());
+                       find(*wave, stored::optimum::best_point_number)->front(),
+                       find(*wave, stored::optimum::best_repetitions)->front(),
+                       find(*wave, stored::optimum::wmse)->front(),
+                       find(*wave, stored::optimum::mean_square_residual)->front());
         add_factors(out, campaign, *wave);
         add_targets(out, campaign, *wave);
         add_findings(out, campaign, *wave);

@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "ensemble/file/run_tables.hpp"
+#include "ensemble/storage/durable.hpp"
 #include "ensemble/version.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 
 #include "ensemble/campaign.hpp"
 #include "ensemble/file/hdf5.hpp"
-#include "ensemble/session.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "ensemble/storage/durable.hpp"
+#include "demens/base/bytes.hpp"
+#include "demens/base/file_error.hpp"
 
 #include <cstdint>
 #include <filesystem>

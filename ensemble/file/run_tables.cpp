@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 
 namespace demens::ensemble {
@@ -94,6 +95,15 @@ void read_energy(hid_t file, std::string const& path, std::vector<RunRecord>& ru
     }
 }
 
+WavePurpose purpose_of(std::string const& group, std::string const& text)
+{
+    auto const* purpose = find_word<WavePurpose>(text);
+    if (!purpose)
+        throw FileError(fmt::format("{}: the purpose \"{}\" is not known; known are {}", group, text,
+                                    fmt::join(texts_of<WavePurpose>(), ", ")));
+    return *purpose;
+}
+
 void read_results(hid_t file, Wave& wave, CampaignInput const& input)
 {
     auto const base = wave_path(wave.number);
@@ -181,7 +191,7 @@ void write_plan(RowWriter const& writer, Wave const& wave, CampaignInput const& 
     auto const base = wave_path(wave.number);
     hdf5::make_group(writer.file(), base);
     hdf5::set_attribute(writer.file(), base, "number", static_cast<std::int64_t>(wave.number));
-    hdf5::set_attribute(writer.file(), base, "purpose", wave.purpose);
+    hdf5::set_attribute(writer.file(), base, "purpose", word_for(wave.purpose));
     hdf5::Meaning design{
         {"as in the factor's name"}, {}, "design points, one row each, factors in their own units"};
     for (auto const& factor : input.factors)
@@ -253,7 +263,7 @@ Wave read_wave(hid_t file, int number, CampaignInput const& input)
     auto const table = base + "/runs/";
     Wave wave;
     wave.number = number;
-    wave.purpose = hdf5::text_attribute(file, base, "purpose");
+    wave.purpose = purpose_of(base, hdf5::text_attribute(file, base, "purpose"));
     auto const design = hdf5::read<double>(file, base + "/design");
     auto const first_point = hdf5::integer_attribute(file, base + "/design", "first_point");
     auto const run = hdf5::read<int>(file, table + "run");

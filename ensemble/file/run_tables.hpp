@@ -2,7 +2,6 @@
 
 #include "ensemble/campaign.hpp"
 #include "ensemble/file/row_writer.hpp"
-#include "ensemble/session.hpp"
 
 namespace demens::ensemble {
 

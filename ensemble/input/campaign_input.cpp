@@ -35,7 +35,8 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     auto const parsed = input::parse_toml(toml, origin);
     input::InputTable const file(parsed, "", origin);
     file.allow_only({"campaign", "material", "contact", "size_distribution", "experiment", "factor",
-                     "constraint", "screening", "design", "objective", "surrogate", "solver", "stop", "run"});
+                     "constraint", "screening", "design", "objective", "surrogate", "search", "solver",
+                     "stop", "run"});
 
     CampaignInput campaign;
     auto const header = file.table("campaign").read(input::campaign_options());
@@ -59,6 +60,8 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     campaign.design.generators = design.words("generators");
     campaign.design.table = design.rows_of_numbers("table");
     read_section(file.table("surrogate"), {}, campaign.surrogate);
+    read_section(file.table("search"), {}, campaign.search);
+    input::check_old_words(file.table("solver"));
     read_section(file.table("solver"), {}, campaign.solver);
     read_section(file.table("stop"), {}, campaign.stop);
     read_section(file.table("run"), {}, campaign.run);

@@ -2,6 +2,7 @@
 
 #include "demens/rig/rig.hpp"
 #include "ensemble/input/file_source.hpp"
+#include "ensemble/input/kinds.hpp"
 
 #include <filesystem>
 #include <limits>
@@ -13,13 +14,13 @@ namespace demens::ensemble {
 //! A measured value to be met by one response of one experiment.
 struct Target
 {
-    std::string response;           //!< name of a response of the experiment's rig
-    int response_index;             //!< its place in Experiment::responses
-    double value;                   //!< in the unit the name carries
-    double scale;                   //!< the deviation that counts as one, same unit, > 0
-    double sd;                      //!< standard deviation of the measurement; NaN: not given
-    double tolerance;               //!< deviation that is good enough; NaN: not given
-    std::string transform = "none"; //!< in which the response is fitted: none, log, logit, asinh
+    std::string response; //!< name of a response of the experiment's rig
+    int response_index;   //!< its place in Experiment::responses
+    double value;         //!< in the unit the name carries
+    double scale;         //!< the deviation that counts as one, same unit, > 0
+    double sd;            //!< standard deviation of the measurement; NaN: not given
+    double tolerance;     //!< deviation that is good enough; NaN: not given
+    TransformKind transform = TransformKind::none;
     double lower = std::numeric_limits<double>::quiet_NaN(); //!< range of the response, for logit
     double upper = std::numeric_limits<double>::quiet_NaN();
 };
@@ -57,7 +58,7 @@ struct LinearConstraint
 //! First wave. Unused members keep their defaults.
 struct DesignOptions
 {
-    std::string kind = "latin_hypercube";
+    DesignKind kind = DesignKind::latin_hypercube;
     int points = 0;                  //!< 0: a default that suits the factors
     int centre_repetitions = 0;      //!< central composite and Box-Behnken take at least one
     double axial_distance = 0;       //!< central composite; 0: rotatable, 1: on the faces
@@ -88,7 +89,7 @@ struct TargetCombination
 
 struct ObjectiveOptions
 {
-    std::string kind = "wmse"; //!< wmse, weighted_least_squares, root_sum_of_squares, relative_deviations
+    ObjectiveKind kind = ObjectiveKind::wmse;
     std::vector<TargetCombination> combinations;
 };
 
@@ -97,11 +98,16 @@ struct SurrogateOptions
     std::string kind = "auto"; //!< quadratic, rbf, gaussian_process, auto
 };
 
+struct SearchOptions
+{
+    SearchKind kind = SearchKind::surrogate_minima;
+    int batch = 0; //!< new design points per wave; 0: max(4, 2 x factors), whatever the number of groups
+};
+
 struct SolverOptions
 {
-    std::string kind = "pounders";
+    SolverKind kind = SolverKind::pounders;
     int starts = 20; //!< starts of the search on the surrogate
-    int batch = 0;   //!< new design points per wave; 0: max(4, 2 x factors), whatever the number of groups
 };
 
 struct StopOptions
@@ -121,17 +127,19 @@ struct RunOptions
     double run_wall_time_s = 0; //!< a run slower than this is `timed_out`; 0: no limit
 };
 
+//! What `rig = "..."` in a campaign may name.
+using Rigs = std::vector<rig::RigInfo>;
+
 //! A campaign as its author wrote it, checked and complete with defaults.
 class CampaignInput
 {
   public:
     //! Reads and checks a TOML file. \throws InputError with file, line, key, value and what would be right.
     //! \param rigs what `rig = "..."` may name; must outlive the campaign
-    static CampaignInput from_file(std::filesystem::path const& file,
-                                   std::vector<rig::RigInfo> const& rigs = rig::all_rigs());
+    static CampaignInput from_file(std::filesystem::path const& file, Rigs const& rigs = rig::all_rigs());
     //! The same from text; `origin` stands for the file in messages, `files` has those that the text names.
     static CampaignInput from_text(std::string const& toml, std::string const& origin,
-                                   std::vector<rig::RigInfo> const& rigs = rig::all_rigs(),
+                                   Rigs const& rigs = rig::all_rigs(),
                                    input::FileSource const& files = input::no_files);
 
     std::string name;
@@ -143,6 +151,7 @@ class CampaignInput
     DesignOptions design;
     ObjectiveOptions objective;
     SurrogateOptions surrogate;
+    SearchOptions search;
     SolverOptions solver;
     StopOptions stop;
     RunOptions run;

@@ -32,7 +32,7 @@ rig::RigInfo const& rig_of(InputTable const& table, std::vector<rig::RigInfo> co
 //! A transform and what it needs fit together.
 void check_transform(InputTable const& table, Target const& target)
 {
-    bool const bounded = target.transform == "logit";
+    bool const bounded = target.transform == TransformKind::logit;
     for (char const* key : {"lower", "upper"})
         if (table.has(key) != bounded)
             throw table.error(table.has(key) ? key : "transform",
@@ -44,7 +44,7 @@ void check_transform(InputTable const& table, Target const& target)
     if (bounded && !(target.lower < target.value && target.value < target.upper))
         throw table.error(
             "value", fmt::format("must be between lower = {} and upper = {}", target.lower, target.upper));
-    if (target.transform == "log" && !(target.value > 0))
+    if (target.transform == TransformKind::log && !(target.value > 0))
         throw table.error("value", "must be greater than 0 for transform = \"log\"");
 }
 
@@ -65,7 +65,8 @@ std::vector<Target> read_targets(InputTable const& targets, std::string const& r
         auto const values = table.read(target_options());
         read.push_back({name, static_cast<int>(found - responses.begin()), values.number("value"),
                         values.number("scale"), values.number("sd"), values.number("tolerance"),
-                        values.text("transform"), values.number("lower"), values.number("upper")});
+                        *find_word<TransformKind>(values.text("transform")), values.number("lower"),
+                        values.number("upper")});
         check_transform(table, read.back());
     }
     return read;

@@ -69,7 +69,7 @@ std::vector<OptionSpec> const& target_options()
         {.key = "transform",
          .default_value = std::string("none"),
          .doc = "monotone function in which the response is fitted",
-         .choices = {"none", "log", "logit", "asinh"}},
+         .choices = texts_of<TransformKind>()},
         {.key = "lower", .default_value = not_given, .doc = "least possible value, for logit; same unit"},
         {.key = "upper", .default_value = not_given, .doc = "largest possible value, for logit; same unit"},
     };
@@ -157,20 +157,20 @@ std::vector<ListSpec> const& design_lists()
     return specs;
 }
 
-std::vector<std::string> design_kinds_using(std::string const& key)
+std::vector<DesignKind> design_kinds_using(std::string const& key)
 {
-    static std::map<std::string, std::vector<std::string>> const kinds = {
-        {"points", {"latin_hypercube", "sobol", "fractional_factorial", "d_optimal"}},
-        {"centre_repetitions",
-         {"full_factorial", "fractional_factorial", "central_composite", "box_behnken"}},
-        {"axial_distance", {"central_composite"}},
-        {"levels", {"full_factorial", "d_optimal"}},
-        {"model", {"d_optimal"}},
-        {"generators", {"fractional_factorial", "central_composite"}},
-        {"table", {"table", "d_optimal"}},
+    using enum DesignKind;
+    static std::map<std::string, std::vector<DesignKind>> const kinds = {
+        {"points", {latin_hypercube, sobol, fractional_factorial, d_optimal}},
+        {"centre_repetitions", {full_factorial, fractional_factorial, central_composite, box_behnken}},
+        {"axial_distance", {central_composite}},
+        {"levels", {full_factorial, d_optimal}},
+        {"model", {d_optimal}},
+        {"generators", {fractional_factorial, central_composite}},
+        {"table", {table, d_optimal}},
     };
     auto const found = kinds.find(key);
-    return found == kinds.end() ? std::vector<std::string>{} : found->second;
+    return found == kinds.end() ? std::vector<DesignKind>{} : found->second;
 }
 
 std::vector<SectionInfo> const& all_sections()
@@ -194,7 +194,8 @@ std::vector<SectionInfo> const& all_sections()
         {"[objective]", "how far off the simulated responses are", specs_of<ObjectiveOptions>(),
          objective_lists()},
         {"[surrogate]", "what stands in for the simulation during the search", specs_of<SurrogateOptions>()},
-        {"[solver]", "how the next waves are chosen", specs_of<SolverOptions>()},
+        {"[search]", "how the next waves are chosen", specs_of<SearchOptions>()},
+        {"[solver]", "how the minimum of the surrogates is found", specs_of<SolverOptions>()},
         {"[stop]", "when the campaign ends: at the first of these", specs_of<StopOptions>()},
         {"[run]", "how runs are executed", specs_of<RunOptions>()},
     };

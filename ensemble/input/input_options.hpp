@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demens/base/options.hpp"
+#include "ensemble/input/kinds.hpp"
 
 #include <string>
 #include <vector>
@@ -37,7 +38,7 @@ std::vector<ListSpec> const& objective_lists();
 std::vector<ListSpec> const& design_lists();
 
 //! Kinds of design that use a key of `[design]`; none: all kinds.
-std::vector<std::string> design_kinds_using(std::string const& key);
+std::vector<DesignKind> design_kinds_using(std::string const& key);
 
 //! All sections in the order in which an author writes them.
 std::vector<SectionInfo> const& all_sections();

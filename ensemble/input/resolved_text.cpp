@@ -113,7 +113,7 @@ void write_experiment(Writer& out, Experiment const& experiment, OptionValues co
         values.set("scale", target.scale);
         values.set("sd", target.sd);
         values.set("tolerance", target.tolerance);
-        values.set("transform", target.transform);
+        values.set("transform", std::string(word_for(target.transform)));
         values.set("lower", target.lower);
         values.set("upper", target.upper);
         std::string members;
@@ -200,6 +200,7 @@ std::string resolved_text(CampaignInput const& input, BaseInput const& base)
     write_design(out, input.design);
     write_objective(out, input.objective);
     out.section("surrogate", input.surrogate);
+    out.section("search", input.search);
     out.section("solver", input.solver);
     out.section("stop", input.stop);
     out.section("run", input.run);

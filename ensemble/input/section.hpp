@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <climits>
+#include <functional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace demens::ensemble::input {
@@ -15,7 +15,8 @@ template <class Section>
 struct Field
 {
     OptionSpec spec;
-    std::variant<int Section::*, double Section::*, bool Section::*, std::string Section::*> member;
+    std::function<OptionValue(Section const&)> get;
+    std::function<void(Section&, OptionValue const&)> set;
 };
 
 //! All keys of a section; the one list that reader, help and documentation use (section_fields.cpp).
@@ -30,34 +31,38 @@ std::vector<Field<ObjectiveOptions>> const& fields_of();
 template <>
 std::vector<Field<SurrogateOptions>> const& fields_of();
 template <>
+std::vector<Field<SearchOptions>> const& fields_of();
+template <>
 std::vector<Field<SolverOptions>> const& fields_of();
 template <>
 std::vector<Field<StopOptions>> const& fields_of();
 template <>
 std::vector<Field<RunOptions>> const& fields_of();
 
-//! The value of one key of a section's struct.
-template <class Section>
-OptionValue value_of(Section const& section, Field<Section> const& field)
-{
-    return std::visit(
-        [&](auto member) -> OptionValue {
-            if constexpr (std::is_same_v<decltype(member), int Section::*>)
-                return std::int64_t{section.*member};
-            else
-                return section.*member;
-        },
-        field.member);
-}
-
-//! A key of a section; its default is the one that the struct has.
+//! A key of a section; its default is the one that the struct has, its choices are the words of its enum.
 template <class Section, class Value>
 Field<Section> field(Value Section::*member, OptionSpec spec)
 {
-    Field<Section> made{std::move(spec), member};
-    made.spec.default_value = value_of(Section{}, made);
-    if constexpr (std::is_same_v<Value, int>)
+    Field<Section> made{std::move(spec), {}, {}};
+    if constexpr (std::is_enum_v<Value>) {
+        made.spec.choices = texts_of<Value>();
+        made.get = [member](Section const& section) { return std::string(word_for(section.*member)); };
+        made.set = [member](Section& section, OptionValue const& value) {
+            section.*member = *find_word<Value>(std::get<std::string>(value)); // a choice, as was checked
+        };
+    } else if constexpr (std::is_same_v<Value, int>) {
         made.spec.upper = std::min(made.spec.upper, double{INT_MAX});
+        made.get = [member](Section const& section) { return std::int64_t{section.*member}; };
+        made.set = [member](Section& section, OptionValue const& value) {
+            section.*member = static_cast<int>(std::get<std::int64_t>(value));
+        };
+    } else {
+        made.get = [member](Section const& section) { return section.*member; };
+        made.set = [member](Section& section, OptionValue const& value) {
+            section.*member = std::get<Value>(value);
+        };
+    }
+    made.spec.default_value = made.get(Section{});
     return made;
 }
 
@@ -75,17 +80,8 @@ std::vector<OptionSpec> specs_of()
 template <class Section>
 void assign(Section& section, OptionValues const& values)
 {
-    for (auto const& [spec, member] : fields_of<Section>()) {
-        std::visit(
-            [&, &spec = spec](auto pointer) {
-                auto const& value = values.all().at(spec.key);
-                if constexpr (std::is_same_v<decltype(pointer), int Section::*>)
-                    section.*pointer = static_cast<int>(std::get<std::int64_t>(value));
-                else
-                    section.*pointer = std::get<std::decay_t<decltype(section.*pointer)>>(value);
-            },
-            member);
-    }
+    for (auto const& field : fields_of<Section>())
+        field.set(section, values.all().at(field.spec.key));
 }
 
 //! The values of a section's struct, for writing them out.
@@ -94,7 +90,7 @@ OptionValues values_of(Section const& section)
 {
     OptionValues values;
     for (auto const& field : fields_of<Section>())
-        values.set(field.spec.key, value_of(section, field));
+        values.set(field.spec.key, field.get(section));
     return values;
 }
 

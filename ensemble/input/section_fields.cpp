@@ -6,11 +6,7 @@ template <>
 std::vector<Field<DesignOptions>> const& fields_of()
 {
     static std::vector<Field<DesignOptions>> const fields = {
-        field(&DesignOptions::kind,
-              {.key = "kind",
-               .doc = "how the points of the first wave are chosen",
-               .choices = {"latin_hypercube", "sobol", "full_factorial", "fractional_factorial",
-                           "central_composite", "box_behnken", "d_optimal", "table"}}),
+        field(&DesignOptions::kind, {.key = "kind", .doc = "how the points of the first wave are chosen"}),
         field(
             &DesignOptions::points,
             {.key = "points", .doc = "number of design points; 0: as many as suit the factors", .lower = 0}),
@@ -52,10 +48,7 @@ template <>
 std::vector<Field<ObjectiveOptions>> const& fields_of()
 {
     static std::vector<Field<ObjectiveOptions>> const fields = {
-        field(&ObjectiveOptions::kind,
-              {.key = "kind",
-               .doc = "what is minimised",
-               .choices = {"wmse", "weighted_least_squares", "root_sum_of_squares", "relative_deviations"}}),
+        field(&ObjectiveOptions::kind, {.key = "kind", .doc = "what is minimised"}),
     };
     return fields;
 }
@@ -72,20 +65,25 @@ std::vector<Field<SurrogateOptions>> const& fields_of()
 }
 
 template <>
-std::vector<Field<SolverOptions>> const& fields_of()
+std::vector<Field<SearchOptions>> const& fields_of()
 {
-    static std::vector<Field<SolverOptions>> const fields = {
-        field(&SolverOptions::kind,
-              {.key = "kind",
-               .doc = "how the next points are found",
-               .choices = {"pounders", "quasi_newton", "bobyqa", "praxis", "simplex", "genetic",
-                           "rbf_distance", "response_surface", "expected_improvement", "pounders_direct"}}),
-        field(&SolverOptions::starts,
-              {.key = "starts", .doc = "starts of the search on the surrogate", .lower = 1}),
-        field(&SolverOptions::batch,
+    static std::vector<Field<SearchOptions>> const fields = {
+        field(&SearchOptions::kind, {.key = "kind", .doc = "how the points of a wave are chosen"}),
+        field(&SearchOptions::batch,
               {.key = "batch",
                .doc = "new design points per wave; 0: twice the number of factors, at least 4",
                .lower = 0}),
+    };
+    return fields;
+}
+
+template <>
+std::vector<Field<SolverOptions>> const& fields_of()
+{
+    static std::vector<Field<SolverOptions>> const fields = {
+        field(&SolverOptions::kind, {.key = "kind", .doc = "what finds the minimum of the surrogates"}),
+        field(&SolverOptions::starts,
+              {.key = "starts", .doc = "starts of the search on the surrogates", .lower = 1}),
     };
     return fields;
 }

@@ -24,15 +24,23 @@ std::string broken_constraint(CampaignInput const& input, Point const& point)
     return {};
 }
 
+std::string joined_words(std::vector<DesignKind> const& kinds)
+{
+    std::vector<std::string> words;
+    for (auto const kind : kinds)
+        words.emplace_back(word_for(kind));
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
 void check_design(InputTable const& design, CampaignInput const& input)
 {
     for (auto const& key : design.keys()) {
         auto const kinds = design_kinds_using(key);
         if (!kinds.empty() && std::find(kinds.begin(), kinds.end(), input.design.kind) == kinds.end())
             throw design.error(key, fmt::format("is not used by kind = \"{}\", only by {}; leave it out",
-                                                input.design.kind, fmt::join(kinds, ", ")));
+                                                word_for(input.design.kind), joined_words(kinds)));
     }
-    if (input.design.kind == "table" && input.design.table.empty())
+    if (input.design.kind == DesignKind::table && input.design.table.empty())
         throw design.error("kind",
                            "needs table = [[...], ...] with one row of factor values for each design point");
 
@@ -72,11 +80,11 @@ void check_budget(InputTable const& design, InputTable const& stop, CampaignInpu
             fmt::format("the screening needs {} runs ({} points, {} runs each), but runs = {}; raise "
                         "it or screen with fewer points",
                         screened * runs_per_point, screened, runs_per_point, input.stop.runs));
-    int const points =
-        input.design.kind == "table" ? static_cast<int>(input.design.table.size()) : input.design.points;
+    int const points = input.design.kind == DesignKind::table ? static_cast<int>(input.design.table.size())
+                                                              : input.design.points;
     if (static_cast<long>(points) * runs_per_point > input.stop.runs)
         throw design.error(
-            input.design.kind == "table" ? "table" : "points",
+            input.design.kind == DesignKind::table ? "table" : "points",
             fmt::format("{} design points need {} runs ({} each), but [stop] runs = {}; raise one or "
                         "lower the other",
                         points, static_cast<long>(points) * runs_per_point, runs_per_point, input.stop.runs));
@@ -105,7 +113,7 @@ void check_screening(InputTable const& screening, CampaignInput const& input)
 
 void check_objective(InputTable const& objective, CampaignInput const& input)
 {
-    if (input.objective.kind != "relative_deviations")
+    if (input.objective.kind != ObjectiveKind::relative_deviations)
         return;
     for (auto const& experiment : input.experiments)
         for (auto const& target : experiment.targets)
@@ -114,6 +122,13 @@ void check_objective(InputTable const& objective, CampaignInput const& input)
                     "kind", fmt::format("relative deviations need targets other than 0, but that of "
                                         "{}.{} is 0",
                                         experiment.name, target.response));
+}
+
+//! POUNDERS that works on the simulation itself is the solver already.
+void check_search(InputTable const& solver, CampaignInput const& input)
+{
+    if (input.search.kind == SearchKind::pounders_direct && input.solver.kind != SolverKind::pounders)
+        throw solver.error("kind", "does not go with [search] kind = \"pounders_direct\"; leave it out");
 }
 
 //! Corners of the box of factors; of many factors only a few points on its faces.
@@ -168,7 +183,23 @@ void check_sections(InputTable const& file, CampaignInput const& input)
     check_screening(file.table("screening"), input);
     check_objective(file.table("objective"), input);
     check_design(design, input);
+    check_search(file.table("solver"), input);
     check_budget(design, file.table("stop"), input);
+}
+
+void check_old_words(InputTable const& solver)
+{
+    if (solver.has("batch"))
+        throw solver.error("batch", "stands in [search] now; write it there");
+    OptionSpec const any_word{.key = "kind", .default_value = std::string(), .doc = "solver"};
+    if (!solver.has("kind"))
+        return;
+    auto const kind = std::get<std::string>(solver.read_option(any_word));
+    if (find_word<SearchKind>(kind))
+        throw solver.error(
+            "kind", fmt::format("names how points are chosen, which stands in [search] now; write kind = "
+                                "\"{}\" there and leave it out here",
+                                kind));
 }
 
 void check_rigs(CampaignInput const& input, BaseInput const& base,

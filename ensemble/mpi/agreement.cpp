@@ -1,6 +1,7 @@
 #include "ensemble/mpi/agreement.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/base/file_error.hpp"
 
 #include <utility>
 

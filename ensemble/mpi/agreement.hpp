@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ensemble/storage/durable.hpp"
+#include "demens/base/bytes.hpp"
 
 #include <functional>
 #include <mpi.h>

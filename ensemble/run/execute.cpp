@@ -99,8 +99,7 @@ FinishedRun execute(CampaignInput const& input, RunRecord const& plan, rig::RunH
     return run;
 }
 
-Wave plan_runs(Campaign const& campaign, std::string const& purpose,
-               std::vector<std::vector<double>> const& points)
+Wave plan_runs(Campaign const& campaign, WavePurpose purpose, std::vector<std::vector<double>> const& points)
 {
     auto const& input = campaign.input;
     Wave wave;

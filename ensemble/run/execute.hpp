@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ensemble/storage/parts.hpp"
+#include "ensemble/file/parts.hpp"
 
 #include <cstdint>
 #include <span>
@@ -12,8 +12,7 @@ namespace demens::ensemble {
 FinishedRun execute(CampaignInput const& input, RunRecord const& plan, rig::RunHooks const& hooks);
 
 //! The runs of a wave at the given design points (own units), numbered after all runs of the campaign.
-Wave plan_runs(Campaign const& campaign, std::string const& purpose,
-               std::vector<std::vector<double>> const& points);
+Wave plan_runs(Campaign const& campaign, WavePurpose purpose, std::vector<std::vector<double>> const& points);
 
 //! Wall seconds that each run of a wave may take: predicted costs times the rates that finished runs show.
 std::vector<double> expected_seconds(Campaign const& campaign, Wave const& wave);

@@ -79,7 +79,8 @@ class WaveRunner::Pass
          std::FILE* progress)
         : runner_(runner), wave_(wave), work_(work), journal_(journal),
           counters_(runner.communicator_, counter_count),
-          display_(progress, fmt::format("wave {} ({})", wave.number, wave.purpose)), begin_(Clock::now())
+          display_(progress, fmt::format("wave {} ({})", wave.number, word_for(wave.purpose))),
+          begin_(Clock::now())
     {
     }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "ensemble/file/parts.hpp"
 #include "ensemble/mpi/agreement.hpp"
 #include "ensemble/mpi/mpi_team.hpp"
-#include "ensemble/storage/parts.hpp"
 
 #include <cstdio>
 #include <memory>

@@ -1,23 +1,14 @@
 #pragma once
 
-#include <cstddef>
+#include "demens/base/bytes.hpp"
+#include "demens/base/file_error.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace demens::ensemble {
-
-//! A file that cannot be written or read although the input is good: full disk, no permission, damage.
-class FileError : public std::runtime_error
-{
-  public:
-    using std::runtime_error::runtime_error;
-};
-
-using Bytes = std::vector<std::byte>;
 
 //! Cyclic redundancy check (CRC-32, as in gzip) of bytes.
 std::uint32_t crc32_of(std::span<std::byte const> bytes);

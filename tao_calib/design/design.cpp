@@ -254,35 +254,32 @@ Design plan_d_optimal(Request const& request)
     return {points, {}};
 }
 
-std::map<std::string, Design (*)(Request const&)> const makers = {
-    {"box_behnken", plan_box_behnken},
-    {"central_composite", plan_central_composite},
-    {"d_optimal", plan_d_optimal},
-    {"fractional_factorial", plan_fractional_factorial},
-    {"full_factorial", plan_full_factorial},
-    {"latin_hypercube", plan_latin_hypercube},
-    {"sobol", plan_sobol},
-    {"table", plan_table},
-};
-
 } // namespace
-
-std::vector<std::string> design_kinds()
-{
-    std::vector<std::string> kinds;
-    for (auto const& [kind, maker] : makers)
-        kinds.push_back(kind);
-    return kinds;
-}
 
 Design plan_design(DesignOptions const& options, std::vector<ensemble::Factor> const& factors,
                    std::vector<ensemble::LinearConstraint> const& constraints, std::uint64_t seed)
 {
-    auto const maker = makers.find(options.kind);
-    if (maker == makers.end())
-        throw InputError(fmt::format("[design] kind = \"{}\" is not known; known are {}", options.kind,
-                                     fmt::join(design_kinds(), ", ")));
-    return maker->second({options, FactorSpace(factors, constraints), seed});
+    Request const request{options, FactorSpace(factors, constraints), seed};
+    using enum ensemble::DesignKind;
+    switch (options.kind) {
+    case latin_hypercube:
+        return plan_latin_hypercube(request);
+    case sobol:
+        return plan_sobol(request);
+    case full_factorial:
+        return plan_full_factorial(request);
+    case fractional_factorial:
+        return plan_fractional_factorial(request);
+    case central_composite:
+        return plan_central_composite(request);
+    case box_behnken:
+        return plan_box_behnken(request);
+    case d_optimal:
+        return plan_d_optimal(request);
+    case table:
+        return plan_table(request);
+    }
+    throw std::logic_error("a design without an implementation");
 }
 
 MatrixXd make_design(DesignOptions const& options, std::vector<ensemble::Factor> const& factors,

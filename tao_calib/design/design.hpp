@@ -15,9 +15,6 @@ struct Design
     std::vector<std::string> notes; //!< points moved or dropped for a constraint, aliases, ...
 };
 
-//! Words that `[design] kind` may be.
-std::vector<std::string> design_kinds();
-
 //! The design that the options name; every point is within bounds and constraints. The same seed gives the
 //! same design. \throws InputError when the options do not fit the factors.
 Design plan_design(ensemble::DesignOptions const& options, std::vector<ensemble::Factor> const& factors,

@@ -5,21 +5,28 @@
 #include "tao_calib/solver/pounders.hpp"
 #include "tao_calib/solver/quasi_newton.hpp"
 
+#include <stdexcept>
+
 namespace demens::tao_calib {
 
-std::unique_ptr<LeastSquaresSolver> surrogate_solver(std::string const& kind, PetscSession const& session)
+std::unique_ptr<LeastSquaresSolver> surrogate_solver(ensemble::SolverKind kind, PetscSession const& session)
 {
-    if (kind == "quasi_newton")
+    using enum ensemble::SolverKind;
+    switch (kind) {
+    case pounders:
+        return std::make_unique<Pounders>(session);
+    case quasi_newton:
         return std::make_unique<QuasiNewton>(session);
-    if (kind == "bobyqa")
+    case bobyqa:
         return std::make_unique<DerivativeFree>(Minimiser::bobyqa);
-    if (kind == "praxis")
+    case praxis:
         return std::make_unique<DerivativeFree>(Minimiser::praxis);
-    if (kind == "simplex")
+    case simplex:
         return std::make_unique<DerivativeFree>(Minimiser::simplex);
-    if (kind == "genetic")
+    case genetic:
         return std::make_unique<Genetic>();
-    return std::make_unique<Pounders>(session);
+    }
+    throw std::logic_error("a solver without an implementation");
 }
 
 } // namespace demens::tao_calib

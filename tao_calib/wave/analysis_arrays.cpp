@@ -8,6 +8,7 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+namespace stored = ensemble::stored;
 
 constexpr std::uint64_t uncertainty_stream = 0x756e636572; // "uncer"
 
@@ -16,30 +17,19 @@ void add_uncertainty(Arrays& arrays, Assessment const& assessment, FactorUncerta
     VectorXd verdicts(assessment.cube().size());
     for (Eigen::Index j = 0; j < verdicts.size(); ++j)
         verdicts[j] = static_cast<int>(known.verdicts[j]);
-    arrays.vector("optimum/target_noise", known.target_noise, "mixed",
-                  "by target, in its unit: standard deviation used for the intervals");
-    arrays.vector(
-        "optimum/factor_standard_error", known.standard_errors, "mixed",
-        "by factor, in its unit: standard deviation over all parameter sets, weighted by likelihood");
-    arrays.matrix("optimum/factor_interval", known.intervals, "mixed",
-                  "factor x (lowest, highest), in its unit: values that can still meet the targets, 95 %");
-    arrays.matrix("optimum/factor_correlation", known.correlations, "1",
-                  "factor x factor: correlation over the same parameter sets");
-    arrays.vector(
-        "optimum/factor_verdict", verdicts, "1",
-        "by factor: 0 determined, 1 weakly determined, 2 not determined by these targets, 3 fixed after "
-        "screening");
-    arrays.number("optimum/least_misfit", known.least_misfit, "1",
-                  "chi2 of the predicted responses at the predicted optimum, deviations over target_noise");
-    arrays.number("optimum/region_90", known.region_90, "1",
-                  "chi2 up to which a set of all factors together is in the joint 90 % region");
+    arrays.vector(stored::optimum::target_noise, known.target_noise);
+    arrays.vector(stored::optimum::factor_standard_error, known.standard_errors);
+    arrays.matrix(stored::optimum::factor_interval, known.intervals);
+    arrays.matrix(stored::optimum::factor_correlation, known.correlations);
+    arrays.vector(stored::optimum::factor_verdict, verdicts);
+    arrays.number(stored::optimum::least_misfit, known.least_misfit);
+    arrays.number(stored::optimum::region_90, known.region_90);
 }
 
 void add_region(Arrays& arrays, UnitCube const& cube, ToleranceRegion const& region)
 {
-    arrays.number("region/by_tolerance", region.by_tolerance, "1",
-                  "1: where every target with a tolerance is predicted within it; 0: sets allowed at 95 %");
-    arrays.number("region/share", region.share, "1", "of the feasible range of the factors");
+    arrays.number(stored::region::by_tolerance, region.by_tolerance);
+    arrays.number(stored::region::share, region.share);
     auto const parts = static_cast<Eigen::Index>(region.parts.size());
     if (parts == 0)
         return;
@@ -51,9 +41,9 @@ void add_region(Arrays& arrays, UnitCube const& cube, ToleranceRegion const& reg
         upper.row(p) = part.upper.transpose();
         shares[p] = part.share;
     }
-    arrays.vector("region/part_shares", shares, "1", "by part that hangs together: share of the sets found");
-    arrays.matrix("region/part_lower", lower, "mixed", "part x factor, in its unit: lowest value found");
-    arrays.matrix("region/part_upper", upper, "mixed", "part x factor, in its unit: highest value found");
+    arrays.vector(stored::region::part_shares, shares);
+    arrays.matrix(stored::region::part_lower, lower);
+    arrays.matrix(stored::region::part_upper, upper);
 }
 
 void add_tradeoffs(Arrays& arrays, std::vector<Tradeoff> const& pairs)
@@ -70,13 +60,10 @@ void add_tradeoffs(Arrays& arrays, std::vector<Tradeoff> const& pairs)
         correlations[i] = pair.correlation;
         removed[i] = pair.variance_removed;
     }
-    arrays.matrix("tradeoff/factors", factors, "1", "pair x 2: numbers of the factors that trade off");
-    arrays.vector("tradeoff/correlation", correlations, "1", "by pair: over the sets that the targets allow");
-    arrays.matrix(
-        "tradeoff/response", responses, "1",
-        "pair x (experiment, response of its rig): what would separate them best; -1: nothing simulated");
-    arrays.vector("tradeoff/variance_removed", removed, "1",
-                  "by pair: share of its variance that measuring that response would take away");
+    arrays.matrix(stored::tradeoff::factors, factors);
+    arrays.vector(stored::tradeoff::correlation, correlations);
+    arrays.matrix(stored::tradeoff::response, responses);
+    arrays.vector(stored::tradeoff::variance_removed, removed);
 }
 
 //! How far each target lies outside what all runs gave, 0 where it is among them.
@@ -104,8 +91,7 @@ void add_knowledge(Arrays& arrays, ensemble::Campaign const& campaign, Assessmen
     add_uncertainty(arrays, assessment, known);
     add_region(arrays, assessment.cube(), tolerance_region(assessment, known, derive_seed(seed, 3)));
     add_tradeoffs(arrays, tradeoffs(campaign, assessment, known));
-    arrays.vector("optimum/out_of_reach", out_of_reach(assessment), "mixed",
-                  "by target, in its unit: how far it lies beyond what any run gave; 0: among them");
+    arrays.vector(stored::optimum::out_of_reach, out_of_reach(assessment));
 }
 
 void add_screening(Arrays& arrays, Screening const& screening)
@@ -113,19 +99,13 @@ void add_screening(Arrays& arrays, Screening const& screening)
     VectorXd active(static_cast<Eigen::Index>(screening.active.size()));
     for (Eigen::Index f = 0; f < active.size(); ++f)
         active[f] = screening.active[static_cast<std::size_t>(f)];
-    arrays.vector("screening/active", active, "1",
-                  "by factor: 1 where some target's p value is small enough");
-    arrays.vector("screening/fixed_value", screening.fixed_values, "mixed",
-                  "by factor, in its unit: value kept from now on, NaN where it is free");
-    arrays.matrix("screening/effects", screening.effects, "mixed",
-                  "target x factor, in the target's unit: change from the factor's lower to its upper bound");
-    arrays.matrix("screening/p_values", screening.p_values, "1", "target x factor: p value of that effect");
-    arrays.vector("screening/error_sd", screening.error_sd, "mixed",
-                  "by target, in its unit: standard deviation of a run, against which effects were tested");
-    arrays.vector("screening/error_degrees", screening.error_degrees, "1",
-                  "by target: its degrees of freedom");
-    arrays.number("screening/error_from_replicates", screening.from_replicates, "1",
-                  "1: that error is pure, from repeated runs; 0: what the main effects leave over");
+    arrays.vector(stored::screening::active, active);
+    arrays.vector(stored::screening::fixed_value, screening.fixed_values);
+    arrays.matrix(stored::screening::effects, screening.effects);
+    arrays.matrix(stored::screening::p_values, screening.p_values);
+    arrays.vector(stored::screening::error_sd, screening.error_sd);
+    arrays.vector(stored::screening::error_degrees, screening.error_degrees);
+    arrays.number(stored::screening::error_from_replicates, screening.from_replicates);
 }
 
 } // namespace demens::tao_calib

@@ -2,44 +2,44 @@
 
 #include "tao_calib/wave/assessment.hpp"
 
-#include <string>
 #include <vector>
 
 namespace demens::tao_calib {
 
-//! Collects arrays; a dimensionless one has units "1", one whose entries differ "mixed".
+//! An array with zeros.
+inline ensemble::NamedArray array_of(ensemble::stored::ArrayName const& name, std::vector<std::size_t> shape)
+{
+    std::size_t size = 1;
+    for (auto const extent : shape)
+        size *= extent;
+    return {name.path, std::move(shape), std::vector<double>(size), name.units, name.doc};
+}
+
+//! Collects the arrays of a wave.
 class Arrays
 {
   public:
-    void number(std::string path, double value, std::string units, std::string doc)
+    using Name = ensemble::stored::ArrayName;
+
+    void number(Name const& name, double value) { vector(name, Eigen::VectorXd::Constant(1, value)); }
+    void vector(Name const& name, Eigen::VectorXd const& values) { matrix(name, values, {}); }
+    void matrix(Name const& name, Eigen::MatrixXd const& values)
     {
-        arrays_.push_back({std::move(path), {1}, {value}, std::move(units), std::move(doc)});
-    }
-    void vector(std::string path, Eigen::VectorXd const& values, std::string units, std::string doc)
-    {
-        arrays_.push_back({std::move(path),
-                           {static_cast<std::size_t>(values.size())},
-                           {values.begin(), values.end()},
-                           std::move(units),
-                           std::move(doc)});
-    }
-    void matrix(std::string path, Eigen::MatrixXd const& values, std::string units, std::string doc)
-    {
-        ensemble::NamedArray array{
-            std::move(path),
-            {static_cast<std::size_t>(values.rows()), static_cast<std::size_t>(values.cols())},
-            {},
-            std::move(units),
-            std::move(doc)};
-        for (Eigen::Index i = 0; i < values.rows(); ++i)
-            for (Eigen::Index j = 0; j < values.cols(); ++j)
-                array.data.push_back(values(i, j));
-        arrays_.push_back(std::move(array));
+        matrix(name, values, {static_cast<std::size_t>(values.cols())});
     }
     void add(ensemble::NamedArray array) { arrays_.push_back(std::move(array)); }
     std::vector<ensemble::NamedArray> take() { return std::move(arrays_); }
 
   private:
+    void matrix(Name const& name, Eigen::MatrixXd const& values, std::vector<std::size_t> columns)
+    {
+        columns.insert(columns.begin(), static_cast<std::size_t>(values.rows()));
+        auto array = array_of(name, std::move(columns));
+        Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+            array.data.data(), values.rows(), values.cols()) = values;
+        add(std::move(array));
+    }
+
     std::vector<ensemble::NamedArray> arrays_;
 };
 

@@ -16,12 +16,17 @@ constexpr double distinct_separation = 0.05;            // between minima, in sh
 
 Transform transform_of(ensemble::Target const& target)
 {
-    if (target.transform == "log")
+    using enum ensemble::TransformKind;
+    switch (target.transform) {
+    case log:
         return Transform::logarithm(target.scale);
-    if (target.transform == "logit")
+    case logit:
         return Transform::logit(target.lower, target.upper);
-    if (target.transform == "asinh")
+    case asinh:
         return Transform::area_sine(target.value, target.scale);
+    case none:
+        break;
+    }
     return {};
 }
 

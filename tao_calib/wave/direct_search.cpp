@@ -21,7 +21,7 @@ Locations designed(ensemble::Campaign const& campaign, Assessment const& assessm
 {
     Locations locations(assessment.objective(), assessment.cube());
     for (auto const& wave : campaign.waves) {
-        if (wave.purpose == "search")
+        if (wave.purpose == ensemble::WavePurpose::search)
             break;
         for (auto const& run : wave.runs)
             locations.add(run);

@@ -11,12 +11,13 @@ namespace demens::tao_calib {
 namespace {
 
 using ensemble::Campaign;
+using ensemble::WavePurpose;
 
 constexpr std::uint64_t search_stream = 0x736561726368; // "search"
 constexpr int most_design_waves = 3;
 constexpr int most_confirmations_in_a_row = 3;
 
-int waves_of(Campaign const& campaign, std::string const& purpose)
+int waves_of(Campaign const& campaign, WavePurpose purpose)
 {
     return static_cast<int>(std::count_if(campaign.waves.begin(), campaign.waves.end(),
                                           [&](auto const& wave) { return wave.purpose == purpose; }));
@@ -26,7 +27,7 @@ int confirmations_in_a_row(Campaign const& campaign)
 {
     int count = 0;
     for (auto wave = campaign.waves.rbegin();
-         wave != campaign.waves.rend() && wave->purpose == "confirmation"; ++wave)
+         wave != campaign.waves.rend() && wave->purpose == WavePurpose::confirmation; ++wave)
         ++count;
     return count;
 }
@@ -64,14 +65,14 @@ std::uint64_t wave_seed(Campaign const& campaign)
     return derive_seed(derive_seed(campaign.input.seed, search_stream), campaign.waves.size());
 }
 
-NextStep wave(std::string purpose, std::vector<std::vector<double>> points)
+NextStep wave(WavePurpose purpose, std::vector<std::vector<double>> points)
 {
-    return {NextStep::Kind::simulate, std::move(purpose), std::move(points), {}};
+    return {NextStep::Kind::simulate, purpose, std::move(points), {}};
 }
 
 int batch_size(Campaign const& campaign)
 {
-    int const asked = campaign.input.solver.batch;
+    int const asked = campaign.input.search.batch;
     return asked > 0 ? asked : std::max(4, 2 * static_cast<int>(campaign.input.factors.size()));
 }
 
@@ -83,7 +84,7 @@ NextStep screening_wave(Campaign const& campaign)
         Eigen::VectorXd const row = design.row(i);
         points.emplace_back(row.begin(), row.end());
     }
-    return wave("screening", points);
+    return wave(WavePurpose::screening, points);
 }
 
 NextStep design_wave(Campaign const& campaign, Assessment const& assessment, Budget const& budget)
@@ -102,7 +103,7 @@ NextStep design_wave(Campaign const& campaign, Assessment const& assessment, Bud
                 {},
                 {},
                 fmt::format("stop.runs = {} does not allow a single design point", input.stop.runs)};
-    return wave("design", points);
+    return wave(WavePurpose::design, points);
 }
 
 std::string first_failure(Campaign const& campaign)
@@ -131,14 +132,14 @@ NextStep more_design(Campaign const& campaign, Assessment const& assessment, Bud
     };
     if (locations.finished_runs() == 0)
         return give_up("no run has finished at all");
-    if (waves_of(campaign, "design") >= most_design_waves)
+    if (waves_of(campaign, WavePurpose::design) >= most_design_waves)
         return give_up("further points did not help");
     int const missing = needed - locations.complete();
     int const count = std::min(std::max(batch_size(campaign), 2 * missing), budget.points);
     auto points = filling_points(assessment, count, wave_seed(campaign));
     if (points.empty() || budget.time_is_up)
         return give_up("the budget is spent");
-    return wave("design", std::move(points));
+    return wave(WavePurpose::design, std::move(points));
 }
 
 //! Search waves since the best location was first simulated.
@@ -146,7 +147,7 @@ int waves_without_improvement(Campaign const& campaign, Location const& best)
 {
     return static_cast<int>(
         std::count_if(campaign.waves.begin(), campaign.waves.end(), [&](auto const& wave) {
-            return wave.purpose == "search" && wave.number > best.first_wave;
+            return wave.purpose == WavePurpose::search && wave.number > best.first_wave;
         }));
 }
 
@@ -173,7 +174,7 @@ std::optional<std::string> search_exhausted(Campaign const& campaign, Location c
         return fmt::format("the wall time of {:g} s is spent (stop.wall_time_s)", stop.wall_time_s);
     if (budget.points <= reserve(campaign))
         return fmt::format("the budget of {} runs is spent (stop.runs)", stop.runs);
-    if (waves_of(campaign, "search") >= stop.waves)
+    if (waves_of(campaign, WavePurpose::search) >= stop.waves)
         return fmt::format("{} waves have searched (stop.waves)", stop.waves);
     if (stop.no_improvement_waves > 0 &&
         waves_without_improvement(campaign, best) >= stop.no_improvement_waves)
@@ -196,7 +197,7 @@ NextStep confirm_or_finish(Campaign const& campaign, Location const& best, Budge
                              confirmations_in_a_row(campaign) < most_confirmations_in_a_row;
     if (missing > 0 && can_confirm) {
         std::vector<double> const values(best.factors.begin(), best.factors.end());
-        return wave("confirmation", std::vector(std::min(missing, budget.points), values));
+        return wave(WavePurpose::confirmation, std::vector(std::min(missing, budget.points), values));
     }
     return {NextStep::Kind::finish, {}, {}, reason};
 }
@@ -204,7 +205,7 @@ NextStep confirm_or_finish(Campaign const& campaign, Location const& best, Budge
 //! Why the search has no further point.
 std::string nothing_left(Campaign const& campaign)
 {
-    return campaign.input.solver.kind == "pounders_direct"
+    return campaign.input.search.kind == ensemble::SearchKind::pounders_direct
                ? "POUNDERS on the simulation has come to its end"
                : "every combination of the factors' levels has been simulated";
 }
@@ -219,7 +220,7 @@ NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment)
     Budget const budget(campaign);
     if (campaign.waves.empty() && has_screening(campaign.input))
         return screening_wave(campaign);
-    if (waves_of(campaign, "design") == 0)
+    if (waves_of(campaign, WavePurpose::design) == 0)
         return design_wave(campaign, assessment, budget);
     if (assessment.objective().size() == 0)
         return {NextStep::Kind::finish,
@@ -246,7 +247,7 @@ NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment)
                       wave_seed(campaign));
     if (points.empty())
         return confirm_or_finish(campaign, best, budget, nothing_left(campaign));
-    return wave("search", std::move(points));
+    return wave(WavePurpose::search, std::move(points));
 }
 
 } // namespace demens::tao_calib

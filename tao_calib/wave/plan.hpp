@@ -17,9 +17,9 @@ struct NextStep
         give_up   //!< too few runs finished to calibrate anything
     };
     Kind kind = Kind::finish;
-    std::string purpose;                     //!< of the wave: "screening", "design", "search", "confirmation"
-    std::vector<std::vector<double>> points; //!< of the wave, own units
-    std::string reason;                      //!< why it ends
+    ensemble::WavePurpose purpose = ensemble::WavePurpose::design; //!< of the wave
+    std::vector<std::vector<double>> points;                       //!< of the wave, own units
+    std::string reason;                                            //!< why it ends
 };
 
 //! Decides by the campaign's content and seed alone, never by the number of ranks. `assessment` is the

@@ -15,7 +15,7 @@ int waves_in_vain(ensemble::Campaign const& campaign, Location const& best)
 {
     return static_cast<int>(
         std::count_if(campaign.waves.begin(), campaign.waves.end(), [&](auto const& wave) {
-            return wave.purpose == "search" && wave.number > best.first_wave;
+            return wave.purpose == ensemble::WavePurpose::search && wave.number > best.first_wave;
         }));
 }
 

@@ -25,7 +25,7 @@ constexpr int enough_degrees = 3; // of freedom, to take the error from repeated
 ensemble::Wave const* screening_wave(ensemble::Campaign const& campaign)
 {
     for (auto const& wave : campaign.waves)
-        if (wave.purpose == "screening") {
+        if (wave.purpose == ensemble::WavePurpose::screening) {
             bool const waiting = std::any_of(wave.runs.begin(), wave.runs.end(), [](auto const& run) {
                 return run.status == rig::RunStatus::not_run;
             });
@@ -132,7 +132,7 @@ bool has_screening(ensemble::CampaignInput const& input)
 Eigen::MatrixXd screening_points(ensemble::CampaignInput const& input)
 {
     ensemble::DesignOptions options;
-    options.kind = "fractional_factorial";
+    options.kind = ensemble::DesignKind::fractional_factorial;
     options.points = input.screening.points;
     options.generators = input.screening.generators;
     options.centre_repetitions = input.screening.centre_repetitions;

@@ -104,16 +104,17 @@ void take_candidates(Assessment const& assessment, Feasibility const& feasibilit
 std::vector<std::vector<double>> search_points(ensemble::Campaign const& campaign,
                                                Assessment const& assessment, int count, std::uint64_t seed)
 {
-    auto const& kind = campaign.input.solver.kind;
-    if (kind == "pounders_direct")
+    using ensemble::SearchKind;
+    auto const kind = campaign.input.search.kind;
+    if (kind == SearchKind::pounders_direct)
         return direct_points(campaign, assessment, count);
     Choice choice(assessment);
     Feasibility const feasibility(assessment.locations());
-    if (kind == "response_surface")
+    if (kind == SearchKind::response_surface)
         take_response_surface_points(campaign, assessment, count, seed, choice);
-    else if (kind == "expected_improvement")
+    else if (kind == SearchKind::expected_improvement)
         take_improvements(assessment, feasibility, count, seed, choice);
-    else if (kind != "rbf_distance")
+    else if (kind == SearchKind::surrogate_minima)
         take_minima(assessment, feasibility, std::max(1, count / 2), choice);
     take_candidates(assessment, feasibility, count, seed, choice);
     return choice.points();

@@ -25,11 +25,11 @@ std::vector<CampaignTarget> further_responses(ensemble::CampaignInput const& inp
             bool const targeted =
                 std::any_of(experiment.targets.begin(), experiment.targets.end(),
                             [&](auto const& target) { return target.response_index == static_cast<int>(r); });
-            if (!targeted)
-                further.push_back({static_cast<int>(e),
-                                   {response.name, static_cast<int>(r), 0, 1, none, none},
-                                   experiment.name + "." + response.name,
-                                   response.units});
+            if (targeted)
+                continue;
+            ensemble::Target const target{response.name, static_cast<int>(r), 0, 1, none, none};
+            further.push_back(
+                {static_cast<int>(e), target, experiment.name + "." + response.name, response.units});
         }
     }
     return further;

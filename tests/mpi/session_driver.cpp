@@ -58,7 +58,7 @@ int run(std::string const& file, int waves, int points)
     };
     while (static_cast<int>(campaign.waves.size()) < waves || !is_done()) {
         if (campaign.waves.empty() || is_done())
-            session.plan_wave("search", next_points(campaign, points));
+            session.plan_wave(WavePurpose::search, next_points(campaign, points));
         if (session.run_wave() == WaveEnd::drained)
             return 75;
         session.store_analysis({{"optimum/carried",
@@ -107,7 +107,8 @@ int with_mpi(std::vector<std::string> const& arguments)
         auto const& file = arguments.at(1);
         if (arguments[0] == "plan") {
             Session session(MPI_COMM_WORLD, file, {.rigs = driver_rigs(), .progress = nullptr});
-            session.plan_wave("search", next_points(session.campaign(), std::stoi(arguments.at(2))));
+            session.plan_wave(WavePurpose::search,
+                              next_points(session.campaign(), std::stoi(arguments.at(2))));
         } else if (arguments[0] == "run")
             code = run(file, std::stoi(arguments.at(2)), std::stoi(arguments.at(3)));
         else if (run_shards(MPI_COMM_WORLD, file, std::stoi(arguments.at(2)), std::stoi(arguments.at(3)),

@@ -57,9 +57,9 @@ TEST_F(SessionTest, ResponsesAreThoseOfTheRigItself)
     create(formula_campaign("milliseconds = 3"));
     {
         Session session(MPI_COMM_WORLD, file_, options());
-        session.plan_wave("design", points);
+        session.plan_wave(WavePurpose::design, points);
         EXPECT_EQ(session.run_wave(), WaveEnd::complete);
-        session.plan_wave("search", {{0.25, 0.75}});
+        session.plan_wave(WavePurpose::search, {{0.25, 0.75}});
         EXPECT_EQ(session.run_wave(), WaveEnd::complete);
         EXPECT_EQ(session.groups(), size_of(MPI_COMM_WORLD));
         EXPECT_EQ(session.campaign().waves.size(), 2u);
@@ -92,7 +92,7 @@ TEST_F(SessionTest, ResponsesAreThoseOfTheRigItself)
             EXPECT_EQ(run.energy->kinetic(), 0);
         }
     }
-    EXPECT_EQ(campaign.waves[1].purpose, "search");
+    EXPECT_EQ(campaign.waves[1].purpose, WavePurpose::search);
     EXPECT_EQ(campaign.waves[0].groups, size_of(MPI_COMM_WORLD));
     MPI_Barrier(MPI_COMM_WORLD); // rank 0 tidies up last
     EXPECT_FALSE(std::filesystem::exists(file_.string() + ".parts"));
@@ -105,7 +105,7 @@ TEST_F(SessionTest, DetailsBelongToTheirRuns)
     create(formula_campaign());
     {
         Session session(MPI_COMM_WORLD, file_, options());
-        session.plan_wave("design", points);
+        session.plan_wave(WavePurpose::design, points);
         session.run_wave();
     }
     auto const campaign = read_campaign_file(file_, formula_rigs());
@@ -137,7 +137,7 @@ TEST_F(SessionTest, FailedRunsAreStatuses)
     create(formula_campaign("throw_above = 0.8\nnan_above = 0.6"));
     {
         Session session(MPI_COMM_WORLD, file_, options());
-        session.plan_wave("design", points);
+        session.plan_wave(WavePurpose::design, points);
         EXPECT_EQ(session.run_wave(), WaveEnd::complete);
     }
     int failed = 0;
@@ -163,7 +163,7 @@ TEST_F(SessionTest, AnalysisAndEndAreKept)
     create(formula_campaign());
     {
         Session session(MPI_COMM_WORLD, file_, options());
-        session.plan_wave("design", points);
+        session.plan_wave(WavePurpose::design, points);
         session.run_wave();
         session.store_analysis({{"optimum/wmse", {1}, {0.25}, "1", "first"}});
         session.store_analysis({{"optimum/wmse", {1}, {0.125}, "1", "second"},
@@ -189,7 +189,7 @@ TEST_F(SessionTest, ArrayTasksLeaveShardsThatASessionGathers)
     create(formula_campaign());
     {
         Session session(MPI_COMM_WORLD, file_, options());
-        session.plan_wave("design", points);
+        session.plan_wave(WavePurpose::design, points);
     }
     EXPECT_EQ(run_shards(MPI_COMM_WORLD, file_, 1, 3, options()), WaveEnd::complete);
     int shards = 0;
@@ -216,7 +216,7 @@ TEST_F(SessionTest, DamagedShardRunsAgain)
     create(formula_campaign());
     {
         Session session(MPI_COMM_WORLD, file_, options());
-        session.plan_wave("design", points);
+        session.plan_wave(WavePurpose::design, points);
     }
     run_shards(MPI_COMM_WORLD, file_, 0, 1, options());
     on_root(MPI_COMM_WORLD, [&] {
@@ -274,7 +274,7 @@ TEST_F(SessionTest, GroupsOfTwoRanks)
     {
         Session session(MPI_COMM_WORLD, file_, options());
         EXPECT_EQ(session.groups(), size_of(MPI_COMM_WORLD) / 2);
-        session.plan_wave("design", points);
+        session.plan_wave(WavePurpose::design, points);
         EXPECT_EQ(session.run_wave(), WaveEnd::complete);
     }
     for (auto const& run : read_campaign_file(file_, formula_rigs()).all_runs())

@@ -120,7 +120,7 @@ int with_polynomial(TestFunction const& function, double enough, std::uint64_t s
 }
 
 //! A campaign as a user would write it, all defaults but these.
-int with_demens(std::string const& solver_kind, std::string const& surrogate, TestFunction const& function,
+int with_demens(std::string const& way, std::string const& surrogate, TestFunction const& function,
                 double enough, std::uint64_t seed)
 {
     static std::map<int, rig::RigInfo> rigs;
@@ -150,13 +150,17 @@ int with_demens(std::string const& solver_kind, std::string const& surrogate, Te
         experiment.targets.push_back(
             {names[static_cast<std::size_t>(t)], t, function.targets[t], function.scales[t], none, none});
     input.experiments = {experiment};
-    input.solver.kind = solver_kind;
+    // A way of choosing points, or a solver on the surrogates.
+    if (auto const* search = find_word<ensemble::SearchKind>(way))
+        input.search.kind = *search;
+    else
+        input.solver.kind = *find_word<ensemble::SolverKind>(way);
     if (!surrogate.empty())
         input.surrogate.kind = surrogate;
     input.stop.runs = most;
     input.stop.waves = 1000;
     input.stop.no_improvement_waves = 1000;
-    auto const solver = surrogate_solver(solver_kind, *PetscEnvironment::session());
+    auto const solver = surrogate_solver(input.solver.kind, *PetscEnvironment::session());
     while (!counter.done()) {
         Assessment const assessment(stand_in.campaign, *solver);
         auto const step = plan_next_wave(stand_in.campaign, assessment);

@@ -68,7 +68,7 @@ std::vector<double> responses_of(std::vector<double> const& factors, int experim
     return {angle, 7 - 2.5 * factors[0], 0.4 + 0.01 * replicate};
 }
 
-ensemble::Wave wave_of(int number, std::string const& purpose, int first_point, int points, int first_run)
+ensemble::Wave wave_of(int number, ensemble::WavePurpose purpose, int first_point, int points, int first_run)
 {
     ensemble::Wave wave{
         .number = number, .purpose = purpose, .runs = {}, .analysis = {}, .wall_time = 0, .groups = 3};
@@ -194,7 +194,8 @@ ensemble::Campaign sample_campaign()
 {
     ensemble::Campaign campaign;
     campaign.input = sample_input();
-    campaign.waves = {wave_of(0, "design", 0, 4, 0), wave_of(1, "search", 4, 2, 16)};
+    campaign.waves = {wave_of(0, ensemble::WavePurpose::design, 0, 4, 0),
+                      wave_of(1, ensemble::WavePurpose::search, 4, 2, 16)};
     for (auto& wave : campaign.waves)
         finish_all(wave);
     fail(campaign.waves[0].runs[5]);
@@ -207,7 +208,7 @@ ensemble::Campaign campaign_under_way()
 {
     ensemble::Campaign campaign;
     campaign.input = sample_input();
-    campaign.waves = {wave_of(0, "design", 0, 4, 0)};
+    campaign.waves = {wave_of(0, ensemble::WavePurpose::design, 0, 4, 0)};
     for (std::size_t i = 0; i < 5; ++i)
         finish(campaign.waves[0].runs[i], static_cast<int>(i));
     fail(campaign.waves[0].runs[3]);

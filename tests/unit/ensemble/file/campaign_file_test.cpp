@@ -2,6 +2,7 @@
 #include "ensemble/file/hdf5.hpp"
 #include "ensemble/session.hpp"
 #include "ensemble/status.hpp"
+#include "ensemble/storage/durable.hpp"
 #include "tests/mpi/formula_rig.hpp"
 
 #include <filesystem>

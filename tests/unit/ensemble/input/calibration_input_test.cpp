@@ -9,6 +9,7 @@
 namespace demens::test {
 namespace {
 
+using namespace ensemble;
 using ::testing::HasSubstr;
 
 ensemble::CampaignInput read(std::string const& text)
@@ -67,7 +68,7 @@ TEST(ObjectiveInput, ReadsCombinationsOfTargets)
     auto const campaign =
         read(with("[objective]\nkind = \"root_sum_of_squares\"\ncombinations = [\"2*angle_deg - "
                   "drop.rebound = flow_kg_s\"]\n"));
-    EXPECT_EQ(campaign.objective.kind, "root_sum_of_squares");
+    EXPECT_EQ(campaign.objective.kind, ObjectiveKind::root_sum_of_squares);
     ASSERT_EQ(campaign.objective.combinations.size(), 1u);
     EXPECT_EQ(campaign.objective.combinations[0].coefficients, (std::vector<double>{2, 0, -1}));
     EXPECT_EQ(campaign.objective.combinations[0].target, 1);
@@ -85,10 +86,31 @@ TEST(ObjectiveInput, SaysWhatIsWrong)
                 HasSubstr("relative deviations need targets other than 0, but that of drop.rebound is 0"));
 }
 
+TEST(SearchInput, IsApartFromTheSolver)
+{
+    auto const text = replaced(good_campaign(), "[search]\nbatch = 4\n\n[solver]\nkind = \"pounders\"",
+                               "[search]\nkind = \"rbf_distance\"\nbatch = 6\n[solver]\nkind = \"bobyqa\"");
+    auto const campaign = read(text);
+    EXPECT_EQ(campaign.search.kind, SearchKind::rbf_distance);
+    EXPECT_EQ(campaign.search.batch, 6);
+    EXPECT_EQ(campaign.solver.kind, SolverKind::bobyqa);
+    EXPECT_EQ(read(campaign.resolved_text()).resolved_text(), campaign.resolved_text());
+    EXPECT_THAT(message_about(replaced(text, "rbf_distance", "pounders_direct")),
+                HasSubstr("does not go with [search] kind = \"pounders_direct\"; leave it out"));
+}
+
+TEST(SearchInput, TellsOldFilesWhatToWriteNow)
+{
+    EXPECT_THAT(message_about(replaced(good_campaign(), "kind = \"pounders\"", "kind = \"rbf_distance\"")),
+                HasSubstr("write kind = \"rbf_distance\" there and leave it out here"));
+    EXPECT_THAT(message_about(replaced(good_campaign(), "starts = 10", "starts = 10\nbatch = 4")),
+                HasSubstr("stands in [search] now"));
+}
+
 TEST(TransformInput, NeedsWhatItsFormulaNeeds)
 {
     auto const campaign = read(with_flow("transform = \"logit\", lower = 0, upper = 9"));
-    EXPECT_EQ(campaign.experiments[0].targets[1].transform, "logit");
+    EXPECT_EQ(campaign.experiments[0].targets[1].transform, TransformKind::logit);
     EXPECT_EQ(campaign.experiments[0].targets[1].upper, 9);
     EXPECT_EQ(read(campaign.resolved_text()).resolved_text(), campaign.resolved_text());
     EXPECT_THAT(message_about(with_flow("transform = \"logit\", lower = 0")), HasSubstr("upper is missing"));

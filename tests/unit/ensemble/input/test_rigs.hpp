@@ -127,10 +127,12 @@ points = 12
 [surrogate]
 kind = "rbf"
 
+[search]
+batch = 4
+
 [solver]
 kind = "pounders"
 starts = 10
-batch = 4
 
 [stop]
 wmse = 0.05

@@ -22,15 +22,15 @@ Campaign new_campaign(std::string const& options = "")
 TEST(Plan, NumbersRunsThroughTheCampaign)
 {
     auto campaign = new_campaign();
-    campaign.waves.push_back(plan_runs(campaign, "design", {{0.1, 0.2}, {0.3, 0.4}}));
-    auto const wave = plan_runs(campaign, "search", {{0.5, 0.6}});
+    campaign.waves.push_back(plan_runs(campaign, WavePurpose::design, {{0.1, 0.2}, {0.3, 0.4}}));
+    auto const wave = plan_runs(campaign, WavePurpose::search, {{0.5, 0.6}});
     EXPECT_EQ(wave.number, 1);
     ASSERT_EQ(wave.runs.size(), 3u); // two replicates of one experiment, one of the other
     EXPECT_EQ(wave.runs[0].run, 6);
     EXPECT_EQ(wave.runs[2].point, 2);
     EXPECT_EQ(wave.runs[1].seed, campaign.input.run_seed(2, 0, 1));
     EXPECT_DOUBLE_EQ(wave.runs[0].predicted_cost, 1.5e6);
-    EXPECT_THROW(plan_runs(campaign, "search", {{0.5}}), InputError);
+    EXPECT_THROW(plan_runs(campaign, WavePurpose::search, {{0.5}}), InputError);
 }
 
 TEST(Schedule, LongestRunFirst)
@@ -41,12 +41,12 @@ TEST(Schedule, LongestRunFirst)
 TEST(Schedule, PredictionsAreCorrectedFromFinishedRuns)
 {
     auto campaign = new_campaign();
-    campaign.waves.push_back(plan_runs(campaign, "design", {{0.0, 0.2}}));
+    campaign.waves.push_back(plan_runs(campaign, WavePurpose::design, {{0.0, 0.2}}));
     for (auto& run : campaign.waves[0].runs) { // all of the same predicted cost, 1e6
         run.status = rig::RunStatus::finished;
         run.wall_time = run.experiment == 0 ? 30 : 4;
     }
-    auto const wave = plan_runs(campaign, "search", {{1.0, 0.5}}); // twice the cost
+    auto const wave = plan_runs(campaign, WavePurpose::search, {{1.0, 0.5}}); // twice the cost
     auto const seconds = expected_seconds(campaign, wave);
     EXPECT_DOUBLE_EQ(seconds[0], 60);
     EXPECT_DOUBLE_EQ(seconds[2], 8);
@@ -56,7 +56,8 @@ TEST(Execute, WhateverGoesWrongIsAStatus)
 {
     auto const run = [](std::string const& options) {
         auto campaign = new_campaign(options);
-        return execute(campaign.input, plan_runs(campaign, "design", {{0.9, 0.5}}).runs[0], {}).record;
+        return execute(campaign.input, plan_runs(campaign, WavePurpose::design, {{0.9, 0.5}}).runs[0], {})
+            .record;
     };
     EXPECT_EQ(run("").status, rig::RunStatus::finished);
     EXPECT_EQ(run("throw_above = 0.5").status, rig::RunStatus::error);

@@ -1,3 +1,4 @@
+#include "demens/base/file_error.hpp"
 #include "ensemble/storage/journal.hpp"
 
 #include "ensemble/storage/durable.hpp"
@@ -6,6 +7,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
+using namespace demens;
 using namespace demens::ensemble;
 
 namespace {

@@ -22,7 +22,7 @@ LinearConstraint const kinetic_below_static{"kinetic_friction <= static_friction
 DesignOptions latin_hypercube(int points)
 {
     DesignOptions options;
-    options.kind = "latin_hypercube";
+    options.kind = ensemble::DesignKind::latin_hypercube;
     options.points = points;
     return options;
 }

@@ -27,16 +27,15 @@ LeastSquaresProblem rosenbrock(bool with_jacobian = true)
     return problem;
 }
 
-class EveryKind : public ::testing::TestWithParam<char const*>
+class EveryKind : public ::testing::TestWithParam<Word<ensemble::SolverKind>>
 {
   protected:
-    std::unique_ptr<LeastSquaresSolver> solver = surrogate_solver(GetParam(), *PetscEnvironment::session());
+    std::unique_ptr<LeastSquaresSolver> solver =
+        surrogate_solver(GetParam().value, *PetscEnvironment::session());
 };
 
-INSTANTIATE_TEST_SUITE_P(Solver, EveryKind,
-                         ::testing::Values("pounders", "quasi_newton", "bobyqa", "praxis", "simplex",
-                                           "genetic"),
-                         [](auto const& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Solver, EveryKind, ::testing::ValuesIn(words_of<ensemble::SolverKind>()),
+                         [](auto const& info) { return info.param.text; });
 
 TEST_P(EveryKind, FindsTheMinimumInACornerOfTheCube)
 {

@@ -14,7 +14,7 @@ std::vector<std::string> purposes(ensemble::Campaign const& campaign)
 {
     std::vector<std::string> result;
     for (auto const& wave : campaign.waves)
-        result.push_back(wave.purpose);
+        result.push_back(word_for(wave.purpose));
     return result;
 }
 
@@ -141,10 +141,10 @@ TEST(WavePlan, AGoalMetByLuckAloneIsNotTheEnd)
     ASSERT_TRUE(stand_in.advance());
     ASSERT_TRUE(stand_in.advance());
     auto& waves = stand_in.campaign.waves;
-    ASSERT_EQ(waves.back().purpose, "confirmation");
+    ASSERT_EQ(waves.back().purpose, ensemble::WavePurpose::confirmation);
     waves.back().runs.front().responses = {4.5}; // a mean of 3.75 at the location that looked right
     ASSERT_TRUE(stand_in.advance());
-    EXPECT_EQ(waves.back().purpose, "search");
+    EXPECT_EQ(waves.back().purpose, ensemble::WavePurpose::search);
 }
 
 TEST(WavePlan, NeverPlansMoreRunsThanAllowed)
@@ -204,7 +204,7 @@ TEST(WavePlan, TakesMorePointsWhereTooFewFinished)
     ASSERT_TRUE(stand_in.advance());
     EXPECT_EQ(purposes(stand_in.campaign), (std::vector<std::string>{"design", "design"}));
     ASSERT_TRUE(stand_in.advance());
-    EXPECT_NE(stand_in.campaign.waves.back().purpose, "design");
+    EXPECT_NE(stand_in.campaign.waves.back().purpose, ensemble::WavePurpose::design);
 }
 
 TEST(WavePlan, GivesUpWithTheReasonWhenEveryRunFails)

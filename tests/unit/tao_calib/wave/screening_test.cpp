@@ -33,7 +33,7 @@ StandIn powder(double scatter)
     experiment.targets = {{"break", 0, 26.5, 0.5, 0.2, none}, {"rest", 1, 23.0, 0.5, 0.2, none}};
     input.experiments = {experiment};
     input.screening.points = 16;
-    input.design.kind = "central_composite";
+    input.design.kind = ensemble::DesignKind::central_composite;
     input.design.centre_repetitions = 9;
     input.stop.runs = 160;
     input.stop.no_improvement_waves = 2;
@@ -46,9 +46,9 @@ TEST(Screening, NamesTheActiveFactorsAndFixesTheOthers)
     ASSERT_TRUE(stand_in.advance());
     ASSERT_TRUE(stand_in.advance());
     auto const& waves = stand_in.campaign.waves;
-    EXPECT_EQ(waves[0].purpose, "screening");
+    EXPECT_EQ(waves[0].purpose, ensemble::WavePurpose::screening);
     EXPECT_EQ(waves[0].runs.size(), 2u * 17); // 2^(6-2) and the centre
-    EXPECT_EQ(waves[1].purpose, "design");
+    EXPECT_EQ(waves[1].purpose, ensemble::WavePurpose::design);
     EXPECT_EQ(waves[1].runs.size(),
               2u * 23); // 8 cube + 6 axial + 9 centre points in the three active factors
     EXPECT_EQ(stand_in.stored("screening/active"), (std::vector<double>{1, 1, 1, 0, 0, 0}));

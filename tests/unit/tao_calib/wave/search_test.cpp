@@ -11,20 +11,46 @@ namespace {
 
 using Eigen::VectorXd;
 
-class EveryWay : public ::testing::TestWithParam<char const*>
+using ensemble::SearchKind;
+using ensemble::SolverKind;
+
+struct Way
+{
+    SearchKind search;
+    SolverKind solver;
+};
+
+class EveryWay : public ::testing::TestWithParam<Way>
 {
 };
 
+Way of(SolverKind solver)
+{
+    return {SearchKind::surrogate_minima, solver};
+}
+Way of(SearchKind search)
+{
+    return {search, SolverKind::pounders};
+}
+
 INSTANTIATE_TEST_SUITE_P(Search, EveryWay,
-                         ::testing::Values("quasi_newton", "bobyqa", "simplex", "genetic", "rbf_distance",
-                                           "response_surface", "expected_improvement", "pounders_direct"),
-                         [](auto const& info) { return info.param; });
+                         ::testing::Values(of(SolverKind::quasi_newton), of(SolverKind::bobyqa),
+                                           of(SolverKind::simplex), of(SolverKind::genetic),
+                                           of(SearchKind::rbf_distance), of(SearchKind::response_surface),
+                                           of(SearchKind::expected_improvement),
+                                           of(SearchKind::pounders_direct)),
+                         [](auto const& info) {
+                             return info.param.search == SearchKind::surrogate_minima
+                                        ? word_for(info.param.solver)
+                                        : word_for(info.param.search);
+                         });
 
 TEST_P(EveryWay, FindsKnownFrictionFromScatteringRuns)
 {
     // A published calibration of three frictions took 600 runs to a mean square residual of 1.4.
     auto stand_in = draw_down_campaign({0.9, 0.6, 0.25}, {0.5, -0.5, 0.3, 0.8}, 1);
-    stand_in.campaign.input.solver.kind = GetParam();
+    stand_in.campaign.input.search.kind = GetParam().search;
+    stand_in.campaign.input.solver.kind = GetParam().solver;
     stand_in.campaign.input.solver.starts = 5;
     stand_in.run_to_the_end();
     EXPECT_LE(stand_in.runs(), 60);
@@ -53,7 +79,7 @@ TEST(DirectSearch, AsksForAllInterpolationPointsAtOnceAndComesToAnEnd)
     experiment.targets = {{"sum", 0, 1.1, 0.1, none, none}, {"difference", 1, 0.3, 0.1, none, none}};
     input.experiments = {experiment};
     input.design.points = 6;
-    input.solver.kind = "pounders_direct";
+    input.search.kind = SearchKind::pounders_direct;
     input.stop.runs = 80;
     ASSERT_TRUE(stand_in.advance());
     ASSERT_TRUE(stand_in.advance());
@@ -119,7 +145,8 @@ Locations half_failing(Objective const& objective, UnitCube const& cube)
 TEST(Feasibility, IsLearntFromWhereRunsFail)
 {
     double const none = std::numeric_limits<double>::quiet_NaN();
-    Objective const objective({{0, {"y", 0, 0, 1, none, none}, "e.y", ""}});
+    ensemble::Target const target{"y", 0, 0, 1, none, none};
+    Objective const objective({{0, target, "e.y", ""}});
     UnitCube const cube({{"a", "a", 0.0, 1.0}, {"b", "b", 0.0, 1.0}}, {});
     Feasibility const feasibility(half_failing(objective, cube));
     EXPECT_GT(feasibility.chance(VectorXd{{0.5, 0.2}}), 0.85);
@@ -155,7 +182,7 @@ TEST(Feasibility, KeepsTheSearchOutOfWhereRunsFail)
     int searched = 0, failed = 0;
     for (auto const& wave : stand_in.campaign.waves)
         for (auto const& run : wave.runs)
-            if (wave.purpose == "search") {
+            if (wave.purpose == ensemble::WavePurpose::search) {
                 ++searched;
                 failed += run.status != rig::RunStatus::finished;
             }

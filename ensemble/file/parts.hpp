@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ensemble/campaign.hpp"
-#include "ensemble/session.hpp"
 #include "ensemble/storage/durable.hpp"
 #include "ensemble/storage/journal.hpp"
 

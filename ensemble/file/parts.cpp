@@ -1,4 +1,4 @@
-#include "ensemble/storage/parts.hpp"
+#include "ensemble/file/parts.hpp"
 
 #include "ensemble/file/run_tables.hpp"
 
