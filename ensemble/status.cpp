@@ -86,15 +86,18 @@ std::string best_fit(Campaign const& campaign)
     auto const* point = latest(campaign, stored::optimum::best_point);
     if (!wmse || !point || point->data.size() != campaign.input.factors.size())
         return "best fit   none yet\n";
-    auto text = fmt::format("best fit   weighted mean square error {:.4g}", wmse->data.front());
+    auto text = fmt::format("best run   weighted mean square error {:.4g}", wmse->data.front());
     if (auto const* run = latest(campaign, stored::optimum::best_run))
         text += fmt::format(" (run {:.0f})", run->data.front());
     text += "\n";
     auto const* interval = latest(campaign, stored::optimum::factor_interval);
+    auto const* estimate = latest(campaign, stored::optimum::estimate);
     for (std::size_t k = 0; k < point->data.size(); ++k) {
         text += fmt::format("           {:<28} {:>12.5g}", campaign.input.factors[k].name, point->data[k]);
-        if (interval && interval->data.size() == 2 * point->data.size())
-            text += fmt::format("   {:.4g} to {:.4g}", interval->data[2 * k], interval->data[2 * k + 1]);
+        if (interval && interval->data.size() == 2 * point->data.size() && estimate &&
+            estimate->data.size() == point->data.size())
+            text += fmt::format("   estimate {:.5g}, 95 % {:.4g} to {:.4g}", estimate->data[k],
+                                interval->data[2 * k], interval->data[2 * k + 1]);
         text += "\n";
     }
     auto const* responses = latest(campaign, stored::optimum::best_responses);

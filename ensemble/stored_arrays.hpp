@@ -40,8 +40,26 @@ inline constexpr ArrayName predicted_sd = {
     "optimum/predicted_sd", "mixed", "by target, in its unit: standard deviation of the prediction there"};
 inline constexpr ArrayName predicted_wmse = {"optimum/predicted_wmse", "mixed",
                                              "predicted weighted mean square error there"};
+inline constexpr ArrayName estimate = {
+    "optimum/estimate", "mixed",
+    "by factor, in its unit: where the surrogates meet the targets best, deviations over their noise"};
+inline constexpr ArrayName estimate_responses = {"optimum/estimate_responses", "mixed",
+                                                 "by target, in its unit: predicted there"};
+inline constexpr ArrayName estimate_sd = {"optimum/estimate_sd", "mixed",
+                                          "by target, in its unit: standard deviation of that prediction"};
+inline constexpr ArrayName least_misfit = {"optimum/least_misfit", "1",
+                                           "chi2 at the estimate, deviations over the noise as stated"};
+inline constexpr ArrayName degrees = {
+    "optimum/degrees", "1",
+    "degrees of freedom of least_misfit: targets - free factors, or the targets where that is none"};
+inline constexpr ArrayName p_value = {
+    "optimum/p_value", "1",
+    "probability of a misfit as large if responses, targets and their noise are as stated"};
+inline constexpr ArrayName noise_inflation = {
+    "optimum/noise_inflation", "1", "factor by which the noise is enlarged for the intervals, 1: not"};
 inline constexpr ArrayName target_noise = {
-    "optimum/target_noise", "mixed", "by target, in its unit: standard deviation used for the intervals"};
+    "optimum/target_noise", "mixed",
+    "by target, in its unit: standard deviation used for the intervals, enlarged by noise_inflation"};
 inline constexpr ArrayName factor_standard_error = {
     "optimum/factor_standard_error", "mixed",
     "by factor, in its unit: standard deviation over all parameter sets, weighted by likelihood"};
@@ -50,14 +68,21 @@ inline constexpr ArrayName factor_interval = {
     "factor x (lowest, highest), in its unit: values that can still meet the targets, 95 %"};
 inline constexpr ArrayName factor_correlation = {"optimum/factor_correlation", "1",
                                                  "factor x factor: correlation over the same parameter sets"};
-inline constexpr ArrayName factor_verdict = {"optimum/factor_verdict", "1",
-                                             "by factor: 0 determined, 1 weakly determined, 2 not determined "
-                                             "by these targets, 3 fixed after screening"};
-inline constexpr ArrayName least_misfit = {
-    "optimum/least_misfit", "1",
-    "chi2 of the predicted responses at the predicted optimum, deviations over target_noise"};
+inline constexpr ArrayName factor_verdict = {
+    "optimum/factor_verdict", "1",
+    "by factor: 0 determined, 1 weakly determined, 2 not determined by these targets, 3 fixed after "
+    "screening, 4 the targets are missed, 5 extrapolated to where runs fail, 6 only a limit is known"};
+inline constexpr ArrayName factor_spread = {
+    "optimum/factor_spread", "1",
+    "by factor: half the interval over the estimate, the bounds left aside; logarithmic: the factor by which "
+    "it is known, less 1; NaN: nothing limits it or its sign is open"};
+inline constexpr ArrayName factor_on_bound = {
+    "optimum/factor_on_bound", "1",
+    "by factor: -1 the estimate is on the lower bound, 1 on the upper one, 0 on none"};
 inline constexpr ArrayName region_90 = {
-    "optimum/region_90", "1", "chi2 up to which a set of all factors together is in the joint 90 % region"};
+    "optimum/region_90", "1",
+    "chi2, deviations over target_noise, up to which a set of all factors "
+    "together is in the joint 90 % region"};
 inline constexpr ArrayName out_of_reach = {
     "optimum/out_of_reach", "mixed",
     "by target, in its unit: how far it lies beyond what any run gave; 0: among them"};
@@ -67,6 +92,12 @@ inline constexpr ArrayName out_of_reach = {
 namespace surrogate {
 inline constexpr ArrayName locations = {"surrogate/locations", "1",
                                         "locations the surrogates were fitted to"};
+inline constexpr ArrayName complete_locations = {
+    "surrogate/complete_locations", "1",
+    "locations with a value for every target; where there are many, surrogates are fitted to a part"};
+inline constexpr ArrayName informs = {
+    "surrogate/informs", "1",
+    "by target: 1 the surrogate is used for the intervals, 0 it predicts no better than the mean"};
 inline constexpr ArrayName kind = {"surrogate/kind", "1",
                                    "by target: 0 constant, 1 linear, 2 linear and squares, 3 full quadratic, "
                                    "4 cubic radial basis functions, 5 Gaussian process"};
@@ -124,6 +155,15 @@ inline constexpr ArrayName variance_removed = {
 namespace screening {
 inline constexpr ArrayName active = {"screening/active", "1",
                                      "by factor: 1 where some target's p value is small enough"};
+inline constexpr ArrayName curvature = {
+    "screening/curvature", "mixed",
+    "by target, in its unit: response at the centre less what main effects "
+    "make of the corners, NaN without centre points"};
+inline constexpr ArrayName curvature_p = {"screening/curvature_p", "1",
+                                          "by target: p value of no curvature, NaN where nothing tells"};
+inline constexpr ArrayName curved = {
+    "screening/curved", "1",
+    "by target: 1 the curvature is beyond chance and its sd, so that no factor was fixed"};
 inline constexpr ArrayName fixed_value = {
     "screening/fixed_value", "mixed", "by factor, in its unit: value kept from now on, NaN where it is free"};
 inline constexpr ArrayName effects = {

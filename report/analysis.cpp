@@ -76,6 +76,14 @@ json optimum_of(Analysis const& analysis)
         {"predicted_responses", analysis.values(stored::optimum::predicted_responses)},
         {"predicted_sd", analysis.values(stored::optimum::predicted_sd)},
         {"predicted_wmse", analysis.scalar(stored::optimum::predicted_wmse)},
+        {"estimate", analysis.values(stored::optimum::estimate)},
+        {"estimate_responses", analysis.values(stored::optimum::estimate_responses)},
+        {"least_misfit", analysis.scalar(stored::optimum::least_misfit)},
+        {"degrees", analysis.scalar(stored::optimum::degrees)},
+        {"p_value", analysis.scalar(stored::optimum::p_value)},
+        {"noise_inflation", analysis.scalar(stored::optimum::noise_inflation)},
+        {"spread", analysis.values(stored::optimum::factor_spread)},
+        {"on_bound", analysis.values(stored::optimum::factor_on_bound)},
         {"standard_error", analysis.values(stored::optimum::factor_standard_error)},
         {"interval", analysis.values(stored::optimum::factor_interval)},
         {"correlation", analysis.values(stored::optimum::factor_correlation)},
@@ -111,6 +119,9 @@ json screening_of(Analysis const& analysis)
         {"fixed_value", analysis.values(stored::screening::fixed_value)},
         {"effects", analysis.values(stored::screening::effects)},
         {"p_values", analysis.values(stored::screening::p_values)},
+        {"curvature", analysis.values(stored::screening::curvature)},
+        {"curvature_p", analysis.values(stored::screening::curvature_p)},
+        {"curved", analysis.values(stored::screening::curved)},
         {"error_degrees", analysis.values(stored::screening::error_degrees)},
         {"from_replicates", analysis.scalar(stored::screening::error_from_replicates) == 1},
     };
@@ -122,6 +133,8 @@ json surrogate_of(Analysis const& analysis)
         return nullptr;
     return {
         {"locations", analysis.scalar(stored::surrogate::locations)},
+        {"complete_locations", analysis.scalar(stored::surrogate::complete_locations)},
+        {"informs", analysis.values(stored::surrogate::informs)},
         {"kind", analysis.values(stored::surrogate::kind)},
         {"leave_one_out_rmse", analysis.values(stored::surrogate::leave_one_out_rmse)},
         {"leave_one_out_r2", analysis.values(stored::surrogate::leave_one_out_r2)},

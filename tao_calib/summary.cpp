@@ -1,7 +1,8 @@
 #include "tao_calib/summary.hpp"
 
 #include "tao_calib/objective.hpp"
-#include "tao_calib/wave/uncertainty.hpp"
+#include "tao_calib/wave/misfit.hpp"
+#include "tao_calib/wave/verdict.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,43 +40,122 @@ std::size_t widest(std::size_t least, auto const& items, auto const& text)
     return least;
 }
 
+//! A number in words that say so where there is none.
+std::string known(double value, int digits = 6)
+{
+    return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "not known";
+}
+
+//! First number of a stored array; NaN without one.
+double scalar(Wave const& wave, stored::ArrayName const& name)
+{
+    auto const* data = find(wave, name);
+    return data && !data->empty() ? data->front() : std::numeric_limits<double>::quiet_NaN();
+}
+
+//! Whether the targets are met together: before anything that rests on it.
+void add_fit(std::string& out, Wave const& wave)
+{
+    if (!find(wave, stored::optimum::p_value))
+        return;
+    double const p = scalar(wave, stored::optimum::p_value),
+                 inflation = scalar(wave, stored::optimum::noise_inflation);
+    bool const missed = misses_targets(p);
+    fmt::format_to(
+        std::back_inserter(out), "  fit: the targets {} together, chi2 {} on {:g} degrees of freedom, p {}\n",
+        missed ? "cannot be met" : "can be met", known(scalar(wave, stored::optimum::least_misfit), 4),
+        scalar(wave, stored::optimum::degrees), known(p, 2));
+    if (inflation > 1)
+        fmt::format_to(
+            std::back_inserter(out),
+            "  all noise is taken to be {:.3g} times as large as stated, so that this misfit counts "
+            "as noise: intervals are wider by about as much\n",
+            inflation);
+}
+
+//! How well a factor is known, in numbers.
+std::string spread_text(ensemble::Factor const& factor, double spread)
+{
+    if (!std::isfinite(spread))
+        return "-";
+    if (factor.log_scale)
+        return fmt::format("factor {:.3g}", 1 + spread);
+    return spread < 10 ? fmt::format("+-{:.2g} %", 100 * spread) : "> 1000 %";
+}
+
 void add_factors(std::string& out, Campaign const& campaign, Wave const& wave)
 {
+    auto const to = std::back_inserter(out);
     auto const* best = find(wave, stored::optimum::best_point);
+    auto const* estimated = find(wave, stored::optimum::estimate);
     auto const* interval = find(wave, stored::optimum::factor_interval);
     auto const* verdict = find(wave, stored::optimum::factor_verdict);
+    auto const* spread = find(wave, stored::optimum::factor_spread);
+    auto const* on_bound = find(wave, stored::optimum::factor_on_bound);
+    bool const judged = estimated && interval && verdict && spread && on_bound;
     auto const& factors = campaign.input.factors;
     auto const width = widest(6, factors, [](auto const& factor) { return factor.name; });
-    fmt::format_to(std::back_inserter(out), "\n  {:<{}}  {:>12}  {:>27}  {}\n", "factor", width, "best point",
-                   "95 % interval", "");
+    fmt::format_to(to, "\n  {:<{}}  {:>12}", "factor", width, "best run");
+    if (judged)
+        fmt::format_to(to, "  {:>12}  {:>27}  {:>12}  {}", "estimate", "95 % interval", "known to",
+                       "verdict");
+    out += '\n';
     for (std::size_t j = 0; j < factors.size(); ++j) {
-        fmt::format_to(std::back_inserter(out), "  {:<{}}  {:>12.6g}", factors[j].name, width, (*best)[j]);
-        if (interval && verdict)
-            fmt::format_to(std::back_inserter(out), "  {:>12.5g} to {:>11.5g}  {}", (*interval)[2 * j],
-                           (*interval)[2 * j + 1], name_of(static_cast<Verdict>((*verdict)[j])));
+        fmt::format_to(to, "  {:<{}}  {:>12}", factors[j].name, width, known((*best)[j]));
+        if (judged) {
+            fmt::format_to(to, "  {:>12}  {:>12} to {:>11}  {:>12}  {}", known((*estimated)[j]),
+                           known((*interval)[2 * j], 5), known((*interval)[2 * j + 1], 5),
+                           spread_text(factors[j], (*spread)[j]),
+                           name_of(static_cast<Verdict>((*verdict)[j])));
+            if ((*on_bound)[j] != 0)
+                fmt::format_to(to, "; the estimate is on the {} bound",
+                               (*on_bound)[j] < 0 ? "lower" : "upper");
+        }
         out += '\n';
     }
+    if (judged)
+        fmt::format_to(to, "  {}\n", verdict_rule());
 }
 
 void add_targets(std::string& out, Campaign const& campaign, Wave const& wave)
 {
     auto const* simulated = find(wave, stored::optimum::best_responses);
     auto const* residual = find(wave, stored::optimum::best_residuals);
+    auto const* predicted = find(wave, stored::optimum::estimate_responses);
     Objective const objective(campaign.input);
     auto const& targets = objective.targets();
     auto const width = widest(8, targets, [](auto const& target) { return target.name; });
-    fmt::format_to(std::back_inserter(out), "\n  {:<{}}  {:>12}  {:>12}  {:>16}  {}\n", "response", width,
-                   "target", "simulated", "deviation/scale", "tolerance");
+    fmt::format_to(std::back_inserter(out), "\n  {:<{}}  {:>12}  {:>12}  {:>16}  {:>12}  {}\n", "response",
+                   width, "target", "best run", "deviation/scale", predicted ? "estimate" : "", "tolerance");
     for (std::size_t t = 0; t < targets.size(); ++t) {
         auto const& target = targets[t].target;
-        fmt::format_to(std::back_inserter(out), "  {:<{}}  {:>12.6g}  {:>12.6g}  {:>16.3f}", targets[t].name,
-                       width, target.value, (*simulated)[t], (*residual)[t]);
+        fmt::format_to(std::back_inserter(out), "  {:<{}}  {:>12}  {:>12}  {:>16.3f}  {:>12}",
+                       targets[t].name, width, known(target.value), known((*simulated)[t]), (*residual)[t],
+                       predicted ? known((*predicted)[t]) : "");
         if (!std::isnan(target.tolerance)) {
             bool const met = std::abs((*simulated)[t] - target.value) <= target.tolerance;
             fmt::format_to(std::back_inserter(out), "  {:g} {}", target.tolerance, met ? "met" : "missed");
         }
         out += '\n';
     }
+}
+
+//! Responses that bend so much between the corners and the centre that nothing was fixed.
+void add_curvature(std::string& out, Campaign const& campaign, Wave const& wave)
+{
+    auto const* curved = find(wave, stored::screening::curved);
+    auto const* curvature = find(wave, stored::screening::curvature);
+    auto const* p_values = find(wave, stored::screening::curvature_p);
+    if (!curved || !curvature || !p_values)
+        return;
+    Objective const objective(campaign.input);
+    for (std::size_t t = 0; t < curved->size(); ++t)
+        if ((*curved)[t] == 1)
+            fmt::format_to(
+                std::back_inserter(out),
+                "  {} is off by {:.4g} at the centre (p {}): some factor acts by its square, which "
+                "main effects do not show, so that all stay free\n",
+                objective.targets()[t].name, (*curvature)[t], known((*p_values)[t], 2));
 }
 
 void add_screening(std::string& out, Campaign const& campaign, Wave const& wave)
@@ -91,9 +171,11 @@ void add_screening(std::string& out, Campaign const& campaign, Wave const& wave)
         double smallest = std::numeric_limits<double>::quiet_NaN();
         for (std::size_t i = j; i < p_values->size(); i += factors.size())
             smallest = std::fmin(smallest, (*p_values)[i]);
-        fmt::format_to(std::back_inserter(out), "  {:<{}}  {:>18.3g}  {}\n", factors[j].name, width, smallest,
+        fmt::format_to(std::back_inserter(out), "  {:<{}}  {:>18}  {}\n", factors[j].name, width,
+                       known(smallest, 3),
                        std::isnan((*fixed)[j]) ? "free" : fmt::format("inactive, kept at {:g}", (*fixed)[j]));
     }
+    add_curvature(out, campaign, wave);
 }
 
 //! Where the targets can be met, which factors trade off, which targets nothing reached.
@@ -106,7 +188,9 @@ void add_findings(std::string& out, Campaign const& campaign, Wave const& wave)
         auto const* by_tolerance = find(wave, stored::region::by_tolerance);
         fmt::format_to(to, "\n  {}: {}\n",
                        by_tolerance->front() == 1 ? "predicted within every tolerance"
-                                                  : "compatible with the targets at 95 %",
+                       : misses_targets(scalar(wave, stored::optimum::p_value))
+                           ? "nothing meets the targets together; nearest to them, with the noise enlarged"
+                           : "compatible with the targets at 95 %",
                        !parts ? "nowhere"
                               : fmt::format("{:.2g} % of the range, {}", 100 * share->front(),
                                             parts->size() == 1 ? "one region"
@@ -137,6 +221,22 @@ void add_findings(std::string& out, Campaign const& campaign, Wave const& wave)
             if (std::isnan((*r2)[t]))
                 fmt::format_to(to, "  warning: {} is the same in all runs: no factor acts on it\n",
                                objective.targets()[t].name);
+    if (auto const* informs = find(wave, stored::surrogate::informs))
+        for (std::size_t t = 0; t < informs->size(); ++t)
+            if ((*informs)[t] == 0)
+                fmt::format_to(
+                    to,
+                    "  warning: the surrogate of {} predicts no better than the mean of all runs: it "
+                    "is not used for the intervals\n",
+                    objective.targets()[t].name);
+    if (double const all = scalar(wave, stored::surrogate::complete_locations),
+        used = scalar(wave, stored::surrogate::locations);
+        used < all)
+        fmt::format_to(
+            to,
+            "  surrogates are fitted to {:g} of {:g} points, the better half of them the best ones, "
+            "the others spread: more would take minutes\n",
+            used, all);
     if (auto const* distances = find(wave, stored::optimum::out_of_reach)) {
         for (std::size_t t = 0; t < distances->size(); ++t)
             if ((*distances)[t] != 0)
@@ -172,14 +272,15 @@ std::string summary(Campaign const& campaign)
     std::string out = "Campaign " + campaign.input.name + "\n";
     Wave const* wave = last_analysed(campaign);
     if (wave && find(*wave, stored::optimum::best_point)) {
-        fmt::format_to(std::back_inserter(out),
-                       "\n  best: design point {:.0f}, simulated {:.0f} times; weighted mean square error "
-                       "{:.4g}, mean square "
-                       "residual {:.4g}\n",
-                       find(*wave, stored::optimum::best_point_number)->front(),
-                       find(*wave, stored::optimum::best_repetitions)->front(),
-                       find(*wave, stored::optimum::wmse)->front(),
-                       find(*wave, stored::optimum::mean_square_residual)->front());
+        out += '\n';
+        add_fit(out, *wave);
+        fmt::format_to(
+            std::back_inserter(out),
+            "  best run: design point {:.0f}, simulated {:.0f} times; weighted mean square error {}, "
+            "mean square residual {}\n",
+            scalar(*wave, stored::optimum::best_point_number),
+            scalar(*wave, stored::optimum::best_repetitions), known(scalar(*wave, stored::optimum::wmse), 4),
+            known(scalar(*wave, stored::optimum::mean_square_residual), 4));
         add_factors(out, campaign, *wave);
         add_targets(out, campaign, *wave);
         add_findings(out, campaign, *wave);

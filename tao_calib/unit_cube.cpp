@@ -145,10 +145,17 @@ UnitCube::UnitCube(std::vector<Factor> factors, std::vector<ensemble::LinearCons
     inside_.setZero(); // the mean of feasible points is inside, since the region is convex in the factors
     RandomStream random(0);
     for (int i = 0; i < inside_samples; ++i)
-        inside_ += to_shares(factors_, with_fixed(space_.own_units(space_.sample(random)))) / inside_samples;
+        inside_ += to_shares(factors_, completed(space_.own_units(space_.sample(random)))) / inside_samples;
 }
 
-VectorXd UnitCube::with_fixed(VectorXd const& free_values) const
+UnitCube UnitCube::with_fixed(int factor, double unit) const
+{
+    std::vector<double> fixed(fixed_.begin(), fixed_.end());
+    fixed[static_cast<std::size_t>(factor)] = to_value(factors_[static_cast<std::size_t>(factor)], unit);
+    return {factors_, constraints_, fixed};
+}
+
+VectorXd UnitCube::completed(VectorXd const& free_values) const
 {
     VectorXd values = fixed_;
     values(free_) = free_values;
@@ -159,7 +166,7 @@ Eigen::MatrixXd UnitCube::whole_points(Eigen::MatrixXd const& free_points) const
 {
     Eigen::MatrixXd points(free_points.rows(), size());
     for (Eigen::Index i = 0; i < points.rows(); ++i)
-        points.row(i) = with_fixed(free_points.row(i).transpose()).transpose();
+        points.row(i) = completed(free_points.row(i).transpose()).transpose();
     return points;
 }
 
@@ -265,7 +272,7 @@ VectorXd UnitCube::on_levels(VectorXd const& values) const
     }
     RandomStream random(0);
     for (int i = 0; i < level_samples && best.size() == 0; ++i)
-        consider(with_fixed(space_.own_units(space_.sample(random))));
+        consider(completed(space_.own_units(space_.sample(random))));
     return best;
 }
 

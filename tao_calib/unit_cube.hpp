@@ -23,6 +23,10 @@ class UnitCube
     //! Factors that may vary.
     std::vector<int> const& free_factors() const { return free_; }
     bool is_free(int factor) const { return std::isnan(fixed_[factor]); }
+    ensemble::Factor const& factor(int number) const { return factors_[static_cast<std::size_t>(number)]; }
+    //! The same with one more factor fixed, at a place of the cube. \throws InputError where that leaves no
+    //! room
+    UnitCube with_fixed(int factor, double unit) const;
     //! The free factors and the constraints between them.
     FactorSpace const& space() const { return space_; }
     //! Points of the free factors, own units, completed by the fixed ones [points x k].
@@ -49,7 +53,7 @@ class UnitCube
 
   private:
     Eigen::VectorXd on_levels(Eigen::VectorXd const& values) const;
-    Eigen::VectorXd with_fixed(Eigen::VectorXd const& free_values) const;
+    Eigen::VectorXd completed(Eigen::VectorXd const& free_values) const;
 
     std::vector<ensemble::Factor> factors_;
     std::vector<ensemble::LinearConstraint> constraints_;

@@ -1,6 +1,7 @@
 // What the factors do to the responses, and how well the targets determine them.
 
-const verdict_colours = [colours.band, colours.confirmation, colours.failed, colours.soft];
+const verdict_colours = [colours.band, colours.confirmation, colours.failed, colours.soft, colours.failed, colours.failed,
+    colours.confirmation];
 
 function show_determination(parent) {
     const optimum = campaign.optimum;
@@ -22,9 +23,12 @@ function show_intervals(parent, optimum) {
     const rows = campaign.factors.map((factor, index) => {
         const [lower, upper] = optimum.interval[index];
         return {label: words_of(factor.name), lower: place_in_range(factor, lower), upper: place_in_range(factor, upper),
-                best: place_in_range(factor, optimum.point[index]), colour: verdict_colours[optimum.verdict[index]],
+                best: place_in_range(factor, optimum.point[index]),
+                estimate: place_in_range(factor, optimum.estimate ? optimum.estimate[index] : null), colour: verdict_colours[optimum.verdict[index]],
                 from: number(factor.lower), to: number(factor.upper),
-                text: `${factor.path}: ${number(optimum.point[index])} (95 %: ${number(lower, 3)} to ${number(upper, 3)})`};
+                text: `${factor.path}: best run ${number(optimum.point[index])}, estimate `
+                    + `${number(optimum.estimate ? optimum.estimate[index] : null)} (95 %: ${number(lower, 3)} to `
+                    + `${number(upper, 3)})`};
     }).filter((row) => known(row.lower) && known(row.upper));
     const middle = (offset) => ({scale: 'y', field: 'label', band: 0.5, offset});
     const end = (field, align, x) => mark('text', 'rows', {x, y: middle(17), text: {field}, align: {value: align},
@@ -32,7 +36,7 @@ function show_intervals(parent, optimum) {
     plot(parent, 'intervals', {
         width: 380, height: 52 * rows.length,
         title: {text: '95 % interval of each factor within its range'},
-        data: [{name: 'rows', values: rows}],
+        data: [{name: 'rows', values: rows}, {name: 'estimates', values: rows.filter((row) => known(row.estimate))}],
         scales: [linear('x', 'width', [0, 1], {nice: false}),
                  {name: 'y', type: 'band', range: 'height', domain: rows.map((row) => row.label)}],
         axes: [{orient: 'left', scale: 'y', ticks: false, domain: false, labelFontSize: 12}],
@@ -42,13 +46,17 @@ function show_intervals(parent, optimum) {
             mark('rect', 'rows', {x: {scale: 'x', field: 'lower'}, x2: {scale: 'x', field: 'upper'}, y: middle(-6),
                 height: {value: 12}, fill: {field: 'colour'}, fillOpacity: {value: 0.55}, tooltip: {field: 'text'},
                 cornerRadius: {value: 3}}),
+            mark('symbol', 'estimates', {x: {scale: 'x', field: 'estimate'}, y: middle(0), size: {value: 110},
+                shape: {value: 'diamond'}, stroke: {value: colours.soft}, strokeWidth: {value: 1.2},
+                fill: {value: 'white'}, tooltip: {field: 'text'}}),
             mark('symbol', 'rows', {x: {scale: 'x', field: 'best'}, y: middle(0), size: {value: 90},
                 fill: {value: colours.best}, stroke: {value: 'white'}, tooltip: {field: 'text'}}),
             end('from', 'left', {value: 0}), end('to', 'right', {signal: 'width'}),
         ],
     });
     parent.append(element('p', {class: 'note'}, 'Grey: the range given. Coloured: values with which the targets can still be met. '
-        + 'Red dot: best point. Where the interval fills the range, these targets do not determine the factor.'));
+        + 'Diamond: estimate. Red dot: best run, which may be a lucky one. Whether a factor is determined is told by the interval '
+        + 'over its value, not by its share of the range.'));
 }
 
 function show_correlations(parent, optimum) {

@@ -6,6 +6,7 @@ function show_findings(parent) {
     const findings = campaign.findings;
     if (!findings) return;
     const where = findings.by_tolerance ? 'Every target with a tolerance is predicted within it'
+        : targets_missed(campaign.optimum) ? 'Nothing meets the targets together; nearest to them, with the noise enlarged, it comes'
         : 'The targets allow, at 95 %, parameter sets';
     const parts = findings.part_shares || [];
     parent.append(element('p', {}, parts.length === 0 ? `${where} nowhere.`
@@ -49,9 +50,13 @@ function show_screening(parent) {
         element('td', {class: 'text'}, screening.active[index] ? 'active'
             : known(screening.fixed_value[index]) ? `inactive, kept at ${number(screening.fixed_value[index])}` : 'inactive'),
     ]);
+    const curved = all_targets.filter((target) => screening.curved && screening.curved[target.index])
+        .map((target) => element('p', {class: 'bad'}, `${target.label} is off by ${signed(screening.curvature[target.index], 3)} `
+            + `at the centre (p ${number(screening.curvature_p[target.index], 2)}): some factor acts by its square, which main `
+            + 'effects do not show, so that all stay free.'));
     parent.append(element('h3', {}, 'Screening: effects from the lower to the upper bound'),
         simple_table(['factor', ...all_targets.map((target) => target.short), 'verdict'], rows),
         element('p', {class: 'note'}, `Tested against ${screening.from_replicates
             ? 'the scatter between packings' : 'what the main effects leave over'} with `
-            + `${number(screening.error_degrees[0])} degrees of freedom.`));
+            + `${number(screening.error_degrees[0])} degrees of freedom.`), ...curved);
 }

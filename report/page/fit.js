@@ -14,28 +14,60 @@ function show_fit(parent) {
     const left = element('div'), right = element('div');
     columns.append(left, right);
     parent.append(columns);
-    left.append(element('h3', {}, 'Factors'), factor_table(), element('h3', {}, 'Targets'), target_table(),
+    left.append(element('h3', {}, 'Factors'), ...goodness_of_fit(), factor_table(),
+                element('p', {class: 'note'}, verdict_rule), element('h3', {}, 'Targets'), target_table(),
                 ...targets_out_of_reach());
     show_deviations(right);
 }
 
 const verdicts = [['determined', 'good'], ['weakly determined', 'warn'], ['not determined by these targets', 'bad'],
-    ['fixed: inactive in the screening', '']];
+    ['fixed: inactive in the screening', ''], ['not determined: the targets are missed', 'bad'],
+    ['not determined: extrapolated to where runs fail', 'bad'], ['only a limit is known: compatible with 0', 'warn']];
+
+const verdict_rule = 'Determined: the 95 % interval is within 25 % of the estimate (logarithmic factors: within a factor of '
+    + '1.25); weakly: within 50 % (1.5); as far as the targets limit it, whatever the bounds. None where the targets are missed '
+    + 'beyond chance (p < 0.01) or the interval reaches where runs fail.';
+
+const targets_missed = (optimum) => known(optimum.p_value) && optimum.p_value < 0.01;
+
+// Whether the targets are met together: before anything that rests on it.
+function goodness_of_fit() {
+    const optimum = campaign.optimum;
+    if (!known(optimum.p_value)) return [];
+    const missed = targets_missed(optimum);
+    const lines = [element('p', {class: missed ? 'bad' : ''}, `The targets ${missed ? 'cannot' : 'can'} be met together: χ² `
+        + `${number(optimum.least_misfit)} on ${number(optimum.degrees)} degrees of freedom, p ${number(optimum.p_value, 2)}.`)];
+    if (optimum.noise_inflation > 1) {
+        lines.push(element('p', {class: missed ? 'bad' : 'note'}, `All noise is taken to be ${number(optimum.noise_inflation, 3)} `
+            + 'times as large as stated, so that this misfit counts as noise: intervals are wider by about as much.'));
+    }
+    return lines;
+}
+
+function spread_text(factor, spread) {
+    if (!known(spread)) return '–';
+    if (factor.log) return `factor ${number(1 + spread, 3)}`;
+    return spread < 10 ? `± ${number(100 * spread, 2)} %` : '> 1000 %';
+}
 
 function factor_table() {
     const optimum = campaign.optimum;
     const rows = campaign.factors.map((factor, index) => {
         const interval = optimum.interval ? optimum.interval[index] : [null, null];
         const [verdict, style] = verdicts[optimum.verdict ? optimum.verdict[index] : -1] || ['–', ''];
+        const side = optimum.on_bound ? optimum.on_bound[index] : 0;
+        const bound = side ? `; the estimate is on the ${side < 0 ? 'lower' : 'upper'} bound` : '';
         return [
             element('td', {title: factor.path}, words_of(factor.name)),
             element('td', {}, element('b', {}, number(optimum.point[index]))),
+            element('td', {}, number(optimum.estimate ? optimum.estimate[index] : null)),
             element('td', {}, known(interval[0]) ? `${number(interval[0], 3)} to ${number(interval[1], 3)}` : '–'),
+            element('td', {}, spread_text(factor, optimum.spread ? optimum.spread[index] : null)),
             element('td', {}, `${number(factor.lower)} to ${number(factor.upper)}`),
-            element('td', {class: 'text ' + style}, verdict),
+            element('td', {class: 'text ' + style}, verdict + bound),
         ];
     });
-    return simple_table(['factor', 'best', '95 % interval', 'range', 'verdict'], rows);
+    return simple_table(['factor', 'best run', 'estimate', '95 % interval', 'known to', 'range', 'verdict'], rows);
 }
 
 function target_table() {
@@ -48,12 +80,13 @@ function target_table() {
             element('td', {}, number(target.value) + (known(target.sd) ? ' ± ' + number(target.sd, 2) : '')),
             element('td', {}, element('b', {}, number(simulated))),
             element('td', {}, signed(simulated - target.value)),
+            element('td', {}, number(optimum.estimate_responses ? optimum.estimate_responses[target.index] : null)),
             element('td', {}, number(target.scale)),
             element('td', {class: 'text ' + (met === null ? '' : met ? 'good' : 'bad')},
                     met === null ? '–' : (met ? 'within ± ' : 'outside ± ') + number(target.tolerance)),
         ];
     });
-    return simple_table(['response', 'measured', 'simulated', 'difference', 'scale', 'tolerance'], rows);
+    return simple_table(['response', 'measured', 'best run', 'difference', 'estimate', 'scale', 'tolerance'], rows);
 }
 
 // Warnings of targets that no run came past, and of responses that never change.
@@ -62,7 +95,10 @@ function targets_out_of_reach() {
     const r2 = campaign.surrogate ? campaign.surrogate.leave_one_out_r2 : [];
     const same = all_targets.filter((target) => target.index < r2.length && !known(r2[target.index])).map((target) =>
         element('p', {class: 'bad'}, `${target.label} is the same in all runs: no factor acts on it.`));
-    return same.concat(all_targets.filter((target) => distances[target.index]).map((target) => element('p', {class: 'bad'},
+    const informs = campaign.surrogate && campaign.surrogate.informs ? campaign.surrogate.informs : [];
+    const unused = all_targets.filter((target) => informs[target.index] === 0).map((target) => element('p', {class: 'bad'},
+        `The surrogate of ${target.label} predicts no better than the mean of all runs: it is not used for the intervals.`));
+    return same.concat(unused, all_targets.filter((target) => distances[target.index]).map((target) => element('p', {class: 'bad'},
         `No run reached the target of ${target.label}: it is ${distances[target.index] > 0 ? 'above' : 'below'} all of `
         + `them by ${number(Math.abs(distances[target.index]), 3)}.`)));
 }

@@ -77,20 +77,22 @@ double f_p_value(double f, double numerator_degrees, double denominator_degrees)
                            numerator_degrees * f / sum);
 }
 
-// Series below a + 1, continued fraction above (Abramowitz and
-//! Stegun 6.5.29 and 6.5.31).
-double incomplete_gamma(double a, double x)
+namespace {
+
+//! P(a, x) by its series, for x < a + 1 (Abramowitz and Stegun 6.5.29).
+double lower_gamma_series(double a, double x)
 {
-    if (x <= 0)
-        return 0;
     constexpr int most_terms = 500;
-    double const front = std::exp(a * std::log(x) - x - std::lgamma(a));
-    if (x < a + 1) {
-        double term = 1 / a, sum = term;
-        for (int n = 1; n < most_terms && term > 1e-16 * sum; ++n)
-            sum += term *= x / (a + n);
-        return front * sum;
-    }
+    double term = 1 / a, sum = term;
+    for (int n = 1; n < most_terms && term > 1e-16 * sum; ++n)
+        sum += term *= x / (a + n);
+    return std::exp(a * std::log(x) - x - std::lgamma(a)) * sum;
+}
+
+//! 1 - P(a, x) by its continued fraction, for x >= a + 1 (Abramowitz and Stegun 6.5.31).
+double upper_gamma_fraction(double a, double x)
+{
+    constexpr int most_terms = 500;
     double b = x + 1 - a, c = 1e300, d = 1 / b, fraction = d;
     for (int n = 1; n < most_terms; ++n) {
         double const numerator = -n * (n - a);
@@ -102,7 +104,24 @@ double incomplete_gamma(double a, double x)
         if (std::abs(change - 1) < 1e-15)
             break;
     }
-    return 1 - front * fraction;
+    return std::exp(a * std::log(x) - x - std::lgamma(a)) * fraction;
+}
+
+} // namespace
+
+double incomplete_gamma(double a, double x)
+{
+    if (x <= 0)
+        return 0;
+    return x < a + 1 ? lower_gamma_series(a, x) : 1 - upper_gamma_fraction(a, x);
+}
+
+double chi_square_p_value(double chi_square, double degrees_of_freedom)
+{
+    double const a = 0.5 * degrees_of_freedom, x = 0.5 * chi_square;
+    if (x <= 0)
+        return 1;
+    return x < a + 1 ? 1 - lower_gamma_series(a, x) : upper_gamma_fraction(a, x);
 }
 
 double chi_square_quantile(double probability, double degrees_of_freedom)

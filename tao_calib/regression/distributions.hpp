@@ -15,6 +15,8 @@ double f_p_value(double f, double numerator_degrees, double denominator_degrees)
 //! Regularised lower incomplete gamma function P(a, x).
 double incomplete_gamma(double a, double x);
 
+//! Probability that a chi-square variable is at least this large; exact also where it is tiny.
+double chi_square_p_value(double chi_square, double degrees_of_freedom);
 //! The value below which a chi-square variable lies with that probability.
 double chi_square_quantile(double probability, double degrees_of_freedom);
 

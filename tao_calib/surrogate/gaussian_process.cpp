@@ -165,6 +165,8 @@ GaussianProcess::GaussianProcess(Samples const& samples, Correlation correlation
     }
     variance_ = squares / degrees;
     leave_one_out_ = kriging_.leave_one_out_errors();
+    run_shares_ = samples.weights.cwiseInverse();
+    error_ = single_run_error(*this, samples);
 }
 
 VectorXd GaussianProcess::correlations(VectorXd const& point) const
@@ -193,6 +195,14 @@ VectorXd GaussianProcess::gradient(VectorXd const& point) const
 double GaussianProcess::standard_deviation(VectorXd const& point) const
 {
     return std::sqrt(variance_ * kriging_.variance(correlations(point), VectorXd::Ones(1), 1.0));
+}
+
+//! The posterior is right where its assumptions are. The mean is linear in the values, so that runs which
+//! scatter as the leave-one-out errors tell leave it error^2 sum_i l_i^2/w_i at least.
+double GaussianProcess::supported_deviation(VectorXd const& point) const
+{
+    VectorXd const shares = kriging_.shares(correlations(point), VectorXd::Ones(1));
+    return std::max(standard_deviation(point), error_ * std::sqrt(shares.cwiseAbs2().dot(run_shares_)));
 }
 
 double GaussianProcess::run_sd() const

@@ -32,6 +32,7 @@ class GaussianProcess : public Surrogate
     double value(Eigen::VectorXd const& point) const override;
     Eigen::VectorXd gradient(Eigen::VectorXd const& point) const override;
     double standard_deviation(Eigen::VectorXd const& point) const override;
+    double supported_deviation(Eigen::VectorXd const& point) const override;
     Eigen::VectorXd const& leave_one_out_errors() const override { return leave_one_out_; }
 
     Correlation const& correlation() const { return correlation_; }
@@ -46,6 +47,8 @@ class GaussianProcess : public Surrogate
     Kriging kriging_;
     double variance_ = 0; //!< of the process
     Eigen::VectorXd leave_one_out_;
+    Eigen::VectorXd run_shares_; //!< [n] 1/runs behind each value
+    double error_ = 0;           //!< of a single run, by leave-one-out
 };
 
 //! Minus twice the logarithm of the restricted likelihood, the variance profiled out, with the weak prior on

@@ -36,6 +36,14 @@ double Kriging::mean(VectorXd const& covariances, VectorXd const& trend) const
     return trend.dot(coefficients_) + covariances.dot(weights_);
 }
 
+VectorXd Kriging::shares(VectorXd const& covariances, VectorXd const& trend) const
+{
+    VectorXd result = projector_ * covariances;
+    if (trend.size() > 0)
+        result += solved_trend_ * trend_factor_.solve(trend);
+    return result;
+}
+
 double Kriging::variance(VectorXd const& covariances, VectorXd const& trend, double own) const
 {
     double variance = own - covariances.dot(factor_.solve(covariances));

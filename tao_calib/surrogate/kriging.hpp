@@ -19,6 +19,9 @@ class Kriging
     //! Variance there, of the process without noise; `own` is its variance before any data.
     double variance(Eigen::VectorXd const& covariances, Eigen::VectorXd const& trend, double own) const;
 
+    //! What each value counts in the mean there [n].
+    Eigen::VectorXd shares(Eigen::VectorXd const& covariances, Eigen::VectorXd const& trend) const;
+
     //! Weights of the covariances in the mean [n]; its gradient is theirs times the covariances' gradients.
     Eigen::VectorXd const& weights() const { return weights_; }
     Eigen::VectorXd const& trend_coefficients() const { return coefficients_; }

@@ -99,7 +99,7 @@ Polynomial::Polynomial(SurrogateKind kind, Samples const& samples) : kind_(kind)
         double const leverage = (rows.row(i) * inverse).squaredNorm();
         leave_one_out_[i] = residuals[i] / root_weights[i] / std::max(1 - leverage, 1e-12);
     }
-    error_ = leave_one_out_rmse(*this, samples);
+    error_ = single_run_error(*this, samples);
 }
 
 double Polynomial::value(VectorXd const& point) const
@@ -125,6 +125,8 @@ VectorXd Polynomial::gradient(VectorXd const& point) const
     return 2 * slope;
 }
 
+//! The covariance is (X'WX)^-1, so that the error is that of a single run: a mean over w runs has 1/w of its
+//! variance, and the weights enter once.
 double Polynomial::standard_deviation(VectorXd const& point) const
 {
     VectorXd const row = basis(kind_, point);

@@ -30,10 +30,10 @@ class Polynomial : public Surrogate
   private:
     SurrogateKind kind_;
     Eigen::VectorXd coefficients_;
-    Eigen::MatrixXd covariance_; //!< of the coefficients, for an error of variance one
+    Eigen::MatrixXd covariance_; //!< of the coefficients, for single runs of variance one
     Eigen::VectorXd leave_one_out_;
     double residual_sum_of_squares_ = 0;
-    double error_ = 0; //!< leave-one-out root mean square error
+    double error_ = 0; //!< of a single run, by leave-one-out
 };
 
 } // namespace demens::tao_calib

@@ -114,8 +114,9 @@ void RadialBasis::solve(System const& system, Samples const& samples, double smo
     influence_.bottomRows(q) = system.tail_qr.solve(rest) * system.scale.asDiagonal();
     coefficients_ = influence_.topRows(n) * samples.values;
     tail_ = influence_.bottomRows(q) * samples.values;
+    influence_ *= system.scale.cwiseInverse().asDiagonal();
     leave_one_out_ = system.leave_one_out(samples.values, smoothing);
-    error_ = leave_one_out_rmse(*this, samples);
+    error_ = single_run_error(*this, samples);
 }
 
 double RadialBasis::value(VectorXd const& point) const
@@ -136,8 +137,9 @@ VectorXd RadialBasis::gradient(VectorXd const& point) const
     return slope;
 }
 
-//! The prediction is linear in the values, s(x) = sum_i l_i(x) y_i; independent errors of the values with the
-//! leave-one-out variance give it the variance of the weighted sum.
+//! The prediction is linear in the values, s(x) = sum_i l_i(x) y_i; independent errors of the values, each a
+//! mean over w_i runs of the leave-one-out variance, give it the variance of the weighted sum, error^2 sum_i
+//! l_i^2/w_i.
 double RadialBasis::standard_deviation(VectorXd const& point) const
 {
     Eigen::Index const n = points_.rows();

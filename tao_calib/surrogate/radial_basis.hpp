@@ -32,10 +32,12 @@ class RadialBasis : public Surrogate
     Eigen::MatrixXd points_;       //!< [n x k]
     Eigen::VectorXd coefficients_; //!< [n], c
     Eigen::VectorXd tail_;         //!< [k + 1], d
-    Eigen::MatrixXd influence_;    //!< [(n + k + 1) x n] coefficients and tail per unit of each value
+    //! [(n + k + 1) x n] coefficients and tail per standard deviation of each value, for single runs of
+    //! variance one
+    Eigen::MatrixXd influence_;
     Eigen::VectorXd leave_one_out_;
     double smoothing_ = 0;
-    double error_ = 0; //!< leave-one-out root mean square error
+    double error_ = 0; //!< of a single run, by leave-one-out
 };
 
 } // namespace demens::tao_calib

@@ -38,8 +38,13 @@ class Surrogate
     virtual SurrogateKind kind() const = 0;
     virtual double value(Eigen::VectorXd const& point) const = 0;
     virtual Eigen::VectorXd gradient(Eigen::VectorXd const& point) const = 0;
-    //! Standard deviation of value() as an estimate of the mean response.
+    //! Standard deviation of value() as an estimate of the mean response, by the surrogate's own assumptions.
     virtual double standard_deviation(Eigen::VectorXd const& point) const = 0;
+    //! The same, but never less than the leave-one-out errors support.
+    virtual double supported_deviation(Eigen::VectorXd const& point) const
+    {
+        return standard_deviation(point);
+    }
     //! Measured minus predicted from the other locations [n].
     virtual Eigen::VectorXd const& leave_one_out_errors() const = 0;
     //! Smoothing that was chosen, 0 when the surrogate interpolates; NaN where the kind has none.
@@ -48,6 +53,10 @@ class Surrogate
 
 //! Root mean square of the leave-one-out errors, each location counting by its weight.
 double leave_one_out_rmse(Surrogate const& surrogate, Samples const& samples);
+
+//! The error of a single run that the leave-one-out errors tell of, sqrt(1/n sum_i w_i e_i^2): a mean over
+//! w_i runs has the w_i-th part of its variance.
+double single_run_error(Surrogate const& surrogate, Samples const& samples);
 
 //! Words that `[surrogate] kind` may be.
 std::vector<std::string> const& surrogate_kinds();

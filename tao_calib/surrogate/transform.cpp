@@ -123,4 +123,9 @@ double TransformedSurrogate::standard_deviation(VectorXd const& point) const
     return transform_.inverse_slope(inner_->value(point)) * inner_->standard_deviation(point);
 }
 
+double TransformedSurrogate::supported_deviation(VectorXd const& point) const
+{
+    return transform_.inverse_slope(inner_->value(point)) * inner_->supported_deviation(point);
+}
+
 } // namespace demens::tao_calib

@@ -60,6 +60,7 @@ class TransformedSurrogate : public Surrogate
     double value(Eigen::VectorXd const& point) const override;
     Eigen::VectorXd gradient(Eigen::VectorXd const& point) const override;
     double standard_deviation(Eigen::VectorXd const& point) const override;
+    double supported_deviation(Eigen::VectorXd const& point) const override;
     Eigen::VectorXd const& leave_one_out_errors() const override { return leave_one_out_; }
     double smoothing() const override { return inner_->smoothing(); }
 

@@ -17,29 +17,27 @@ namespace stored = ensemble::stored;
 constexpr int slice_points = 41;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-double leave_one_out_r2(Samples const& samples, double rmse)
-{
-    double const mean = samples.weights.dot(samples.values) / samples.weights.sum();
-    double const variance =
-        samples.weights.dot((samples.values.array() - mean).square().matrix()) / samples.weights.sum();
-    return variance > 0 ? 1 - rmse * rmse / variance : unknown;
-}
-
 void add_surrogates(Arrays& arrays, Assessment const& assessment)
 {
     int const m = assessment.objective().size();
-    VectorXd kind(m), rmse(m), r2(m), smoothing(m);
+    VectorXd kind(m), rmse(m), r2(m), smoothing(m), used(m);
     for (int t = 0; t < m; ++t) {
         auto const& surrogate = assessment.surrogate(t);
         kind[t] = static_cast<int>(surrogate.kind());
         rmse[t] = leave_one_out_rmse(surrogate, assessment.samples(t));
-        r2[t] = leave_one_out_r2(assessment.samples(t), rmse[t]);
+        r2[t] = assessment.leave_one_out_r2(t);
+        used[t] = assessment.informs(t);
         smoothing[t] = surrogate.smoothing();
     }
-    arrays.number(stored::surrogate::locations, assessment.locations().complete());
+    auto const& chosen = assessment.chosen_locations();
+    int const complete = assessment.locations().complete();
+    arrays.number(stored::surrogate::locations,
+                  chosen.empty() ? complete : static_cast<double>(chosen.size()));
+    arrays.number(stored::surrogate::complete_locations, complete);
     arrays.vector(stored::surrogate::kind, kind);
     arrays.vector(stored::surrogate::leave_one_out_rmse, rmse);
     arrays.vector(stored::surrogate::leave_one_out_r2, r2);
+    arrays.vector(stored::surrogate::informs, used);
     arrays.vector(stored::surrogate::smoothing, smoothing);
     arrays.vector(stored::surrogate::replicate_sd, assessment.locations().replicate_sd());
 }
@@ -92,6 +90,36 @@ void add_prediction(Arrays& arrays, Assessment const& assessment)
                   assessment.objective().wmse(assessment.predict(minimum.point)));
 }
 
+//! The best location as known after each run, without a look at all locations for each.
+class BestSoFar
+{
+  public:
+    BestSoFar(Objective const& objective, UnitCube const& cube)
+        : objective_(objective), known_(objective, cube)
+    {
+    }
+    //! The least objective's location after one more run, or null.
+    Location const* add(ensemble::RunRecord const& run)
+    {
+        Location const& changed = known_.add(run);
+        auto const number = &changed - known_.all().data();
+        double const value = changed.complete() ? objective_.value(changed.responses) : unknown;
+        if (number == best_ && !(value <= least_)) { // a repetition has made the best one worse
+            auto const* best = known_.best();
+            best_ = best ? best - known_.all().data() : -1;
+            least_ = best ? objective_.value(best->responses) : unknown;
+        } else if (changed.complete() && (best_ < 0 || value < least_ || (value == least_ && number < best_)))
+            best_ = number, least_ = value;
+        return best_ < 0 ? nullptr : &known_.all()[static_cast<std::size_t>(best_)];
+    }
+
+  private:
+    Objective const& objective_;
+    Locations known_;
+    std::ptrdiff_t best_ = -1; //!< number of the location
+    double least_ = unknown;
+};
+
 //! WMSE of each design point by itself, NaN where a target has no value.
 VectorXd point_errors(ensemble::Campaign const& campaign, Objective const& objective, UnitCube const& cube)
 {
@@ -113,11 +141,10 @@ void add_history(Arrays& arrays, ensemble::Campaign const& campaign, Assessment 
 {
     auto const& objective = assessment.objective();
     std::vector<double> errors;
-    Locations known(objective, assessment.cube());
+    BestSoFar best_so_far(objective, assessment.cube());
     for (auto const& wave : campaign.waves)
         for (auto const& run : wave.runs) {
-            known.add(run);
-            auto const* best = known.best();
+            auto const* best = best_so_far.add(run);
             errors.push_back(best ? objective.wmse(best->responses) : unknown);
         }
     arrays.vector(stored::history::wmse,

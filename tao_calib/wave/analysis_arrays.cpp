@@ -12,17 +12,33 @@ namespace stored = ensemble::stored;
 
 constexpr std::uint64_t uncertainty_stream = 0x756e636572; // "uncer"
 
+//! The estimate and how well it meets the targets: what all intervals rest on.
+void add_estimate(Arrays& arrays, Assessment const& assessment, FactorUncertainty const& known)
+{
+    VectorXd const& unit = known.estimate.unit;
+    arrays.vector(stored::optimum::estimate, assessment.cube().to_values(unit));
+    arrays.vector(stored::optimum::estimate_responses, assessment.predict(unit));
+    arrays.vector(stored::optimum::estimate_sd, assessment.prediction_sd(unit));
+    arrays.number(stored::optimum::least_misfit, known.fit.chi_square);
+    arrays.number(stored::optimum::degrees, known.fit.degrees);
+    arrays.number(stored::optimum::p_value, known.fit.p_value);
+    arrays.number(stored::optimum::noise_inflation, known.fit.inflation);
+}
+
 void add_uncertainty(Arrays& arrays, Assessment const& assessment, FactorUncertainty const& known)
 {
-    VectorXd verdicts(assessment.cube().size());
-    for (Eigen::Index j = 0; j < verdicts.size(); ++j)
-        verdicts[j] = static_cast<int>(known.verdicts[j]);
+    VectorXd verdicts(assessment.cube().size()), bounds(assessment.cube().size());
+    for (Eigen::Index j = 0; j < verdicts.size(); ++j) {
+        verdicts[j] = static_cast<int>(known.verdicts[static_cast<std::size_t>(j)]);
+        bounds[j] = static_cast<int>(known.on_bounds[static_cast<std::size_t>(j)]);
+    }
     arrays.vector(stored::optimum::target_noise, known.target_noise);
     arrays.vector(stored::optimum::factor_standard_error, known.standard_errors);
     arrays.matrix(stored::optimum::factor_interval, known.intervals);
     arrays.matrix(stored::optimum::factor_correlation, known.correlations);
     arrays.vector(stored::optimum::factor_verdict, verdicts);
-    arrays.number(stored::optimum::least_misfit, known.least_misfit);
+    arrays.vector(stored::optimum::factor_spread, known.spreads);
+    arrays.vector(stored::optimum::factor_on_bound, bounds);
     arrays.number(stored::optimum::region_90, known.region_90);
 }
 
@@ -88,6 +104,7 @@ void add_knowledge(Arrays& arrays, ensemble::Campaign const& campaign, Assessmen
     auto const seed =
         derive_seed(derive_seed(campaign.input.seed, uncertainty_stream), campaign.waves.size());
     auto const known = factor_uncertainty(assessment, seed);
+    add_estimate(arrays, assessment, known);
     add_uncertainty(arrays, assessment, known);
     add_region(arrays, assessment.cube(), tolerance_region(assessment, known, derive_seed(seed, 3)));
     add_tradeoffs(arrays, tradeoffs(campaign, assessment, known));
@@ -100,6 +117,12 @@ void add_screening(Arrays& arrays, Screening const& screening)
     for (Eigen::Index f = 0; f < active.size(); ++f)
         active[f] = screening.active[static_cast<std::size_t>(f)];
     arrays.vector(stored::screening::active, active);
+    VectorXd curved(static_cast<Eigen::Index>(screening.curved.size()));
+    for (Eigen::Index t = 0; t < curved.size(); ++t)
+        curved[t] = screening.curved[static_cast<std::size_t>(t)];
+    arrays.vector(stored::screening::curvature, screening.curvature);
+    arrays.vector(stored::screening::curvature_p, screening.curvature_p);
+    arrays.vector(stored::screening::curved, curved);
     arrays.vector(stored::screening::fixed_value, screening.fixed_values);
     arrays.matrix(stored::screening::effects, screening.effects);
     arrays.matrix(stored::screening::p_values, screening.p_values);

@@ -2,6 +2,8 @@
 
 #include "tao_calib/wave/assessment.hpp"
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace demens::tao_calib {
@@ -27,7 +29,14 @@ class Arrays
     {
         matrix(name, values, {static_cast<std::size_t>(values.cols())});
     }
-    void add(ensemble::NamedArray array) { arrays_.push_back(std::move(array)); }
+    //! A number that is not finite is not known: it is stored as NaN.
+    void add(ensemble::NamedArray array)
+    {
+        for (double& value : array.data)
+            if (!std::isfinite(value))
+                value = std::numeric_limits<double>::quiet_NaN();
+        arrays_.push_back(std::move(array));
+    }
     std::vector<ensemble::NamedArray> take() { return std::move(arrays_); }
 
   private:

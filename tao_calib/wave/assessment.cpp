@@ -3,6 +3,8 @@
 #include "tao_calib/surrogate/transform.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace demens::tao_calib {
 namespace {
@@ -13,6 +15,9 @@ using Eigen::VectorXd;
 constexpr std::uint64_t starts_stream = 0x737461727473; // "starts"
 constexpr std::size_t starts_at_locations = 3;          // of the best simulated locations
 constexpr double distinct_separation = 0.05;            // between minima, in shares of the ranges
+//! Radial basis functions and Gaussian processes cost the third power of the locations: some seconds each
+//! here.
+constexpr int most_fitted_locations = 400;
 
 Transform transform_of(ensemble::Target const& target)
 {
@@ -30,6 +35,17 @@ Transform transform_of(ensemble::Target const& target)
     return {};
 }
 
+double r2_of(Samples const& samples, Surrogate const& surrogate)
+{
+    double const mean = samples.weights.dot(samples.values) / samples.weights.sum();
+    double const variance =
+        samples.weights.dot((samples.values.array() - mean).square().matrix()) / samples.weights.sum();
+    double const rounding = 1e-12 * samples.values.cwiseAbs().maxCoeff();
+    if (!(variance > rounding * rounding))
+        return std::numeric_limits<double>::quiet_NaN();
+    return 1 - std::pow(leave_one_out_rmse(surrogate, samples), 2) / variance;
+}
+
 } // namespace
 
 Assessment::Assessment(ensemble::Campaign const& campaign, LeastSquaresSolver const& solver)
@@ -39,8 +55,10 @@ Assessment::Assessment(ensemble::Campaign const& campaign, LeastSquaresSolver co
 {
     if (locations_.complete() < locations_needed(cube_.size()))
         return;
+    if (campaign.input.surrogate.kind != "quadratic") // the one kind whose cost grows with the runs alone
+        chosen_ = locations_.best_and_spread(most_fitted_locations);
     for (int t = 0; t < objective_.size(); ++t) {
-        samples_.push_back(locations_.samples(t));
+        samples_.push_back(locations_.samples(t, chosen_));
         auto const transform = transform_of(objective_.targets()[t].target);
         if (transform.is_identity()) {
             surrogates_.push_back(fit_surrogate(campaign.input.surrogate.kind, samples_.back()));
@@ -50,6 +68,9 @@ Assessment::Assessment(ensemble::Campaign const& campaign, LeastSquaresSolver co
             transform, fit_surrogate(campaign.input.surrogate.kind, transformed(transform, samples_.back())),
             samples_.back()));
     }
+    r2_.resize(objective_.size());
+    for (int t = 0; t < objective_.size(); ++t)
+        r2_[t] = r2_of(samples_[static_cast<std::size_t>(t)], *surrogates_[static_cast<std::size_t>(t)]);
 
     auto const ranked = locations_.ranked();
     std::vector<VectorXd> starts;
@@ -88,8 +109,22 @@ VectorXd Assessment::prediction_sd(VectorXd const& unit) const
 {
     VectorXd deviations(objective_.size());
     for (int t = 0; t < objective_.size(); ++t)
+        deviations[t] = surrogates_[t]->supported_deviation(unit);
+    return deviations;
+}
+
+VectorXd Assessment::assumed_sd(VectorXd const& unit) const
+{
+    VectorXd deviations(objective_.size());
+    for (int t = 0; t < objective_.size(); ++t)
         deviations[t] = surrogates_[t]->standard_deviation(unit);
     return deviations;
+}
+
+double Assessment::mean_response(int target) const
+{
+    auto const& samples = samples_[static_cast<std::size_t>(target)];
+    return samples.weights.dot(samples.values) / samples.weights.sum();
 }
 
 } // namespace demens::tao_calib

@@ -62,7 +62,7 @@ void take_improvements(Assessment const& assessment, Feasibility const& feasibil
         return;
     std::vector<VectorXd> chosen;
     auto merit = [&](VectorXd const& unit) {
-        VectorXd const responses = assessment.predict(unit), sd = assessment.prediction_sd(unit);
+        VectorXd const responses = assessment.predict(unit), sd = assessment.assumed_sd(unit);
         VectorXd const spread =
             (objective.search_slopes(responses).array().square().matrix() * sd.cwiseAbs2()).cwiseSqrt();
         return expected_improvement_of_squares(objective.search_residuals(responses), spread, least) *

@@ -39,15 +39,15 @@ Location& Locations::at(ensemble::RunRecord const& run)
     return *found;
 }
 
-void Locations::add(ensemble::RunRecord const& run)
+Location const& Locations::add(ensemble::RunRecord const& run)
 {
     Location& location = at(run);
     if (run.status == rig::RunStatus::not_run)
-        return;
+        return location;
     if (run.status != rig::RunStatus::finished) {
         ++failed_runs_;
         ++location.failed_runs;
-        return;
+        return location;
     }
     ++finished_runs_;
     ++location.finished_runs;
@@ -65,6 +65,7 @@ void Locations::add(ensemble::RunRecord const& run)
         location.responses[t] = before + (value - before) / location.runs[t];
         location.squared_deviations[t] += (value - before) * (value - location.responses[t]);
     }
+    return location;
 }
 
 int Locations::complete() const
@@ -75,32 +76,68 @@ int Locations::complete() const
 
 std::vector<Location const*> Locations::ranked() const
 {
-    std::vector<Location const*> result;
+    std::vector<std::pair<double, Location const*>> valued;
     for (auto const& location : locations_)
         if (location.complete())
-            result.push_back(&location);
-    std::stable_sort(result.begin(), result.end(), [&](auto const* a, auto const* b) {
-        return objective_->value(a->responses) < objective_->value(b->responses);
-    });
+            valued.push_back({objective_->value(location.responses), &location});
+    std::stable_sort(valued.begin(), valued.end(),
+                     [](auto const& a, auto const& b) { return a.first < b.first; });
+    std::vector<Location const*> result;
+    for (auto const& [value, location] : valued)
+        result.push_back(location);
     return result;
 }
 
 Location const* Locations::best() const
 {
     Location const* best = nullptr;
+    double least = std::numeric_limits<double>::infinity();
     for (auto const& location : locations_)
-        if (location.complete() &&
-            (!best || objective_->value(location.responses) < objective_->value(best->responses)))
-            best = &location;
+        if (location.complete())
+            if (double const value = objective_->value(location.responses); !best || value < least)
+                best = &location, least = value;
     return best;
 }
 
-Samples Locations::samples(int target) const
+std::vector<std::size_t> Locations::best_and_spread(int most) const
+{
+    if (complete() <= most)
+        return {};
+    auto const best = ranked();
+    auto const half = static_cast<std::size_t>(most) / 2;
+    std::vector<Location const*> taken(best.begin(), best.begin() + static_cast<std::ptrdiff_t>(half));
+    std::vector<Location const*> rest(best.begin() + static_cast<std::ptrdiff_t>(half), best.end());
+    auto const apart = [](Location const* a, Location const* b) { return (a->unit - b->unit).squaredNorm(); };
+    std::vector<double> distances(rest.size(), std::numeric_limits<double>::infinity());
+    auto count_in = [&](Location const* other) {
+        for (std::size_t i = 0; i < rest.size(); ++i)
+            distances[i] = std::min(distances[i], apart(rest[i], other));
+    };
+    for (auto const* location : taken)
+        count_in(location);
+    while (taken.size() < static_cast<std::size_t>(most)) {
+        auto const farthest = std::max_element(distances.begin(), distances.end()) - distances.begin();
+        taken.push_back(rest[static_cast<std::size_t>(farthest)]);
+        count_in(taken.back());
+    }
+    std::vector<std::size_t> numbers;
+    for (auto const* location : taken)
+        numbers.push_back(static_cast<std::size_t>(location - locations_.data()));
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+}
+
+Samples Locations::samples(int target, std::vector<std::size_t> const& chosen) const
 {
     std::vector<Location const*> used;
-    for (auto const& location : locations_)
+    auto consider = [&](Location const& location) {
         if (location.runs[target] > 0)
             used.push_back(&location);
+    };
+    for (std::size_t number : chosen)
+        consider(locations_[number]);
+    if (chosen.empty())
+        std::for_each(locations_.begin(), locations_.end(), consider);
     auto const n = static_cast<Eigen::Index>(used.size());
     Samples samples{Eigen::MatrixXd(n, cube_->size()), VectorXd(n), VectorXd(n), VectorXd(n)};
     for (Eigen::Index i = 0; i < n; ++i) {

@@ -33,7 +33,8 @@ class Locations
     //! With all runs of the campaign.
     Locations(Objective const& objective, UnitCube const& cube, ensemble::Campaign const& campaign);
 
-    void add(ensemble::RunRecord const& run);
+    //! \return the location of the run
+    Location const& add(ensemble::RunRecord const& run);
 
     std::vector<Location> const& all() const { return locations_; }
     int complete() const;
@@ -44,7 +45,11 @@ class Locations
     //! Complete locations, best first.
     std::vector<Location const*> ranked() const;
     //! What the surrogate of a target is fitted to.
-    Samples samples(int target) const;
+    //! \param chosen numbers of the locations to be taken, empty: all
+    Samples samples(int target, std::vector<std::size_t> const& chosen = {}) const;
+    //! Numbers of at most that many complete locations, half of them the best, the others far apart; empty
+    //! where there are no more anyway.
+    std::vector<std::size_t> best_and_spread(int most) const;
     //! Standard deviation between runs at one location [m], pooled; NaN without repetitions.
     Eigen::VectorXd replicate_sd() const;
 

@@ -3,10 +3,12 @@
 #include "demens/base/error.hpp"
 #include "tao_calib/design/design.hpp"
 #include "tao_calib/design/factor_space.hpp"
-#include "tao_calib/regression/analysis.hpp"
 #include "tao_calib/regression/distributions.hpp"
+#include "tao_calib/regression/regression.hpp"
 #include "tao_calib/unit_cube.hpp"
 
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -64,19 +66,114 @@ RegressionData data_of(ensemble::Campaign const& campaign, ensemble::Wave const&
 //! Mean square of an error and its degrees of freedom.
 struct ErrorEstimate
 {
-    double mean_square;
-    int degrees;
-    bool from_replicates;
+    double mean_square = 0;
+    int degrees = 0;
+    bool from_replicates = false;
 };
 
-ErrorEstimate error_of(Regression const& main_effects)
+//! Main effects and curvature by least squares. A simulation without chance has no error at all, so that
+//! nothing here divides by an error that may be 0.
+class ScreeningFit
 {
-    for (auto const& row : analysis_of_variance(main_effects))
-        if (row.source == "pure error" && row.degrees_of_freedom >= enough_degrees)
-            return {row.mean_square, row.degrees_of_freedom, true};
-    int const degrees = main_effects.residual_degrees_of_freedom();
-    return {degrees > 0 ? main_effects.residual_sum_of_squares() / degrees : unknown, degrees, false};
-}
+  public:
+    explicit ScreeningFit(RegressionData const& data) : data_(data)
+    {
+        Index const n = data.coded.rows(), k = data.coded.cols();
+        Eigen::MatrixXd rows(n, k + 1);
+        rows << VectorXd::Ones(n), data.coded;
+        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> const qr(rows);
+        if (qr.rank() < rows.cols())
+            throw InputError(fmt::format("response `{}`: {} runs cannot determine {} coefficients",
+                                         data.response, n, rows.cols()));
+        coefficients_ = qr.solve(data.values);
+        inverse_ = (rows.transpose() * rows).inverse();
+        residual_squares_ = (data.values - rows * coefficients_).squaredNorm();
+        rounding_ = std::pow(1e-10 * data.values.cwiseAbs().maxCoeff(), 2);
+        find_pure_error();
+        fit_curvature(rows);
+    }
+
+    double effect(int factor) const { return 2 * coefficients_[factor + 1]; }
+    //! Of no effect, with the runs' error.
+    double p_value(int factor, ErrorEstimate const& error) const
+    {
+        double const variance = error.mean_square * inverse_(factor + 1, factor + 1);
+        return f_p_value(std::pow(coefficients_[factor + 1], 2) / variance, 1, error.degrees);
+    }
+    //! Of a run: from repeated ones where they are many, else from what main effects leave over.
+    ErrorEstimate error() const
+    {
+        if (pure_.degrees >= enough_degrees)
+            return pure_;
+        int const degrees = static_cast<int>(data_.coded.rows() - coefficients_.size());
+        return {degrees > 0 ? std::max(residual_squares_ / degrees, rounding_) : 0, degrees, false};
+    }
+
+    //! Response at the centre less what main effects make of the corners; NaN where the runs do not tell.
+    double curvature() const { return curvature_; }
+    //! Of no curvature (Montgomery, Design and Analysis of Experiments, section 6.8), tested against repeated
+    //! runs, else against what main effects and curvature leave over; NaN where nothing is left.
+    double curvature_p() const
+    {
+        auto const error = pure_.degrees > 0 ? pure_ : beside_curvature_;
+        return std::isfinite(curvature_) && error.degrees > 0
+                   ? f_p_value(std::pow(curvature_, 2) / (error.mean_square * curvature_variance_), 1,
+                               error.degrees)
+                   : unknown;
+    }
+
+  private:
+    //! One term more that is 1 at the centre and 0 at the corners; points that constraints have moved lie
+    //! between.
+    void fit_curvature(Eigen::MatrixXd const& rows)
+    {
+        Index const n = rows.rows(), terms = rows.cols() + 1;
+        Eigen::MatrixXd curved(n, terms);
+        curved << rows,
+            1 - data_.coded.rowwise().squaredNorm().array() / static_cast<double>(data_.coded.cols());
+        Eigen::ColPivHouseholderQR<Eigen::MatrixXd> const qr(curved);
+        if (qr.rank() < terms)
+            return;
+        VectorXd const coefficients = qr.solve(data_.values);
+        curvature_ = coefficients[terms - 1];
+        curvature_variance_ = (curved.transpose() * curved).inverse()(terms - 1, terms - 1);
+        auto const degrees = static_cast<int>(n - terms);
+        beside_curvature_ = {
+            std::max((data_.values - curved * coefficients).squaredNorm() / std::max(degrees, 1), rounding_),
+            degrees, false};
+    }
+
+    void find_pure_error()
+    {
+        std::vector<bool> counted(static_cast<std::size_t>(data_.values.size()));
+        double squares = 0;
+        for (Index i = 0; i < data_.values.size(); ++i) {
+            if (counted[static_cast<std::size_t>(i)])
+                continue;
+            double runs = 0, mean = 0;
+            for (Index j = i; j < data_.values.size(); ++j)
+                if (data_.coded.row(i) == data_.coded.row(j)) {
+                    counted[static_cast<std::size_t>(j)] = true;
+                    double const before = data_.values[j] - mean;
+                    mean += before / ++runs;
+                    squares += before * (data_.values[j] - mean);
+                }
+            pure_.degrees += static_cast<int>(runs) - 1;
+        }
+        if (pure_.degrees > 0)
+            pure_.mean_square = std::max(squares / pure_.degrees, rounding_);
+        pure_.from_replicates = true;
+    }
+
+    RegressionData const& data_;
+    VectorXd coefficients_;
+    Eigen::MatrixXd inverse_; //!< (X'X)^-1
+    double residual_squares_ = 0;
+    double rounding_ = 0; //!< variance that rounding alone may leave
+    ErrorEstimate pure_;  //!< of repeated runs
+    ErrorEstimate beside_curvature_;
+    double curvature_ = unknown, curvature_variance_ = 0; //!< the latter for runs of variance one
+};
 
 double inactive_value(ensemble::Factor const& factor)
 {
@@ -93,23 +190,28 @@ Screening all_active(ensemble::Campaign const& campaign, Objective const& object
     Screening result;
     result.effects = result.p_values = Eigen::MatrixXd::Constant(objective.size(), k, unknown);
     result.error_sd = result.error_degrees = VectorXd::Constant(objective.size(), unknown);
+    result.curvature = result.curvature_p = VectorXd::Constant(objective.size(), unknown);
+    result.curved.assign(static_cast<std::size_t>(objective.size()), false);
     result.active.assign(static_cast<std::size_t>(k), true);
     result.fixed_values = VectorXd::Constant(k, unknown);
     result.note = std::move(note);
     return result;
 }
 
+void keep_all(Screening& screening, std::string note)
+{
+    screening.active.assign(screening.active.size(), true);
+    screening.fixed_values.setConstant(unknown);
+    screening.note = std::move(note);
+}
+
 //! Fixes the inactive factors, or leaves all free where that cannot be.
 void fix_inactive(ensemble::Campaign const& campaign, Screening& screening)
 {
     auto const& factors = campaign.input.factors;
-    auto keep_all = [&](std::string note) {
-        screening.active.assign(factors.size(), true);
-        screening.fixed_values.setConstant(unknown);
-        screening.note = std::move(note);
-    };
     if (std::none_of(screening.active.begin(), screening.active.end(), [](bool active) { return active; }))
-        return keep_all(fmt::format("no factor is active at a significance of {:g}, so that all stay free",
+        return keep_all(screening,
+                        fmt::format("no factor is active at a significance of {:g}, so that all stay free",
                                     campaign.input.screening.significance));
     for (std::size_t f = 0; f < factors.size(); ++f)
         if (!screening.active[f])
@@ -117,8 +219,8 @@ void fix_inactive(ensemble::Campaign const& campaign, Screening& screening)
     try {
         UnitCube const cube(factors, campaign.input.constraints, screening.fixed());
     } catch (InputError const& error) {
-        keep_all(
-            fmt::format("all factors stay free, since the inactive ones cannot be fixed: {}", error.what()));
+        keep_all(screening, fmt::format("all factors stay free, since the inactive ones cannot be fixed: {}",
+                                        error.what()));
     }
 }
 
@@ -141,7 +243,9 @@ Eigen::MatrixXd screening_points(ensemble::CampaignInput const& input)
 
 //! Main effects are tested one by one; in a fraction of resolution IV no product of two factors is mixed up
 //! with them. The 5 % level lets one in twenty inactive factors pass for every target: that costs runs, while
-//! a factor fixed by mistake would cost the answer.
+//! a factor fixed by mistake would cost the answer. Two levels do not show a factor that acts by its square:
+//! where the centre points tell of one, nothing is fixed. A curvature below the sd of the target cannot
+//! matter.
 Screening screen(ensemble::Campaign const& campaign, Objective const& objective)
 {
     auto const* wave = screening_wave(campaign);
@@ -153,32 +257,39 @@ Screening screen(ensemble::Campaign const& campaign, Objective const& objective)
     for (int t = 0; t < objective.size(); ++t) {
         auto const data = data_of(campaign, *wave, objective.targets()[t]);
         try {
-            Regression const main_effects(data, polynomial_terms(PolynomialModel::linear, k));
-            auto const error = error_of(main_effects);
+            ScreeningFit const fit(data);
+            auto const error = fit.error();
             if (error.degrees < 1)
                 throw InputError(
                     fmt::format("response `{}`: no run is left to test effects against", data.response));
             screening.error_sd[t] = std::sqrt(error.mean_square);
             screening.error_degrees[t] = error.degrees;
             screening.from_replicates = error.from_replicates;
-            double const residual_sd = main_effects.residual_standard_deviation();
             for (int f = 0; f < k; ++f) {
-                auto const& coefficient = main_effects.coefficients()[static_cast<std::size_t>(f) + 1];
-                double const standard_error =
-                    coefficient.standard_error * screening.error_sd[t] / residual_sd;
-                screening.effects(t, f) = 2 * coefficient.value;
-                screening.p_values(t, f) =
-                    student_t_p_value(coefficient.value / standard_error, error.degrees);
+                screening.effects(t, f) = fit.effect(f);
+                screening.p_values(t, f) = fit.p_value(f, error);
                 if (screening.p_values(t, f) <= campaign.input.screening.significance)
                     screening.active[static_cast<std::size_t>(f)] = true;
             }
+            screening.curvature[t] = fit.curvature();
+            screening.curvature_p[t] = fit.curvature_p();
+            screening.curved[static_cast<std::size_t>(t)] =
+                std::abs(screening.curvature[t]) > objective.measurement_sd()[t] &&
+                !(screening.curvature_p[t] > campaign.input.screening.significance);
         } catch (InputError const& problem) {
             return all_active(
                 campaign, objective,
                 fmt::format("all factors stay free, since the screening says nothing: {}", problem.what()));
         }
     }
-    fix_inactive(campaign, screening);
+    if (auto const curved = std::find(screening.curved.begin(), screening.curved.end(), true);
+        curved != screening.curved.end())
+        keep_all(screening,
+                 fmt::format(
+                     "all factors stay free, since {} is curved at the centre",
+                     objective.targets()[static_cast<std::size_t>(curved - screening.curved.begin())].name));
+    else
+        fix_inactive(campaign, screening);
     return screening;
 }
 

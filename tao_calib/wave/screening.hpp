@@ -13,8 +13,12 @@ struct Screening
     Eigen::VectorXd error_sd;      //!< [m] standard deviation of a run, against which effects were tested
     Eigen::VectorXd error_degrees; //!< [m] its degrees of freedom
     bool from_replicates = false;  //!< error from repeated runs, not from what the main effects leave over
-    std::vector<bool> active;      //!< [k]
-    Eigen::VectorXd fixed_values;  //!< [k] own units of inactive factors, NaN of active ones
+    //! [m] response at the centre less what main effects make of the corners; NaN without centre points
+    Eigen::VectorXd curvature;
+    Eigen::VectorXd curvature_p;  //!< [m] p value of no curvature, NaN where nothing tells
+    std::vector<bool> curved;     //!< [m] curvature beyond chance that the target's sd would notice
+    std::vector<bool> active;     //!< [k]
+    Eigen::VectorXd fixed_values; //!< [k] own units of inactive factors, NaN of active ones
     std::string note; //!< why all factors stay active, where nothing could be concluded; else empty
 
     std::vector<double> fixed() const { return {fixed_values.begin(), fixed_values.end()}; }

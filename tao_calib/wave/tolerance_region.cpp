@@ -69,7 +69,7 @@ Member member_of(Assessment const& assessment, FactorUncertainty const& known, b
     auto const within = [&assessment, &known, by_tolerance](VectorXd const& unit) {
         if (by_tolerance)
             return assessment.objective().within_tolerance(assessment.predict(unit));
-        return misfit(assessment, known.target_noise, unit) <= known.least_misfit + 3.84;
+        return misfit(assessment, known.target_noise, unit) <= known.region_95;
     };
     return
         [&cube, within](VectorXd const& unit) { return cube.feasible(cube.to_values(unit)) && within(unit); };

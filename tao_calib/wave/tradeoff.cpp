@@ -58,7 +58,7 @@ std::vector<Witness> witnesses(ensemble::Campaign const& campaign, Assessment co
     Objective const objective(further);
     Locations const locations(objective, assessment.cube(), campaign);
     for (std::size_t t = 0; t < further.size(); ++t) {
-        auto const samples = locations.samples(static_cast<int>(t));
+        auto const samples = locations.samples(static_cast<int>(t), assessment.chosen_locations());
         if (samples.values.size() < Assessment::locations_needed(assessment.cube().size()))
             continue;
         auto const fit = fit_surrogate("rbf", samples);

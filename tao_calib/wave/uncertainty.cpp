@@ -1,9 +1,12 @@
 #include "tao_calib/wave/uncertainty.hpp"
 
+#include "demens/base/error.hpp"
 #include "tao_calib/regression/distributions.hpp"
+#include "tao_calib/wave/feasibility.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace demens::tao_calib {
 namespace {
@@ -12,28 +15,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double threshold_95 = 3.84; // chi-square with one degree of freedom
-
-//! Misfit of the predicted responses, each in units of its noise.
-class ChiSquare
-{
-  public:
-    ChiSquare(Assessment const& assessment, VectorXd noise)
-        : assessment_(assessment), noise_(std::move(noise))
-    {
-        targets_.resize(noise_.size());
-        for (int t = 0; t < targets_.size(); ++t)
-            targets_[t] = assessment.objective().targets()[t].target.value;
-    }
-    double operator()(VectorXd const& unit) const
-    {
-        return (assessment_.predict(unit) - targets_).cwiseQuotient(noise_).squaredNorm();
-    }
-    VectorXd const& noise() const { return noise_; }
-
-  private:
-    Assessment const& assessment_;
-    VectorXd noise_, targets_;
-};
 
 //! A parameter set and its misfit.
 struct State
@@ -57,18 +38,21 @@ double bell(RandomStream& random)
 //! Stat. Comput. 16, 239): each chain steps along the difference of two others, so that the step adapts to
 //! scale and correlation by itself; every tenth step has full length and lets chains change between separate
 //! regions.
-std::vector<State> draw(Assessment const& assessment, ChiSquare const& chi_square, RandomStream random)
+std::vector<State> draw(Assessment const& assessment, ChiSquare const& chi_square, VectorXd const& best,
+                        RandomStream random)
 {
     constexpr int generations = 400, discarded = 150;
     UnitCube const& cube = assessment.cube();
     int const k = static_cast<int>(cube.free_factors().size()), chains = std::max(30, 8 * k);
     std::vector<State> population;
     for (int c = 0; c < chains; ++c) {
-        // Half of the chains begin around the minima, the others anywhere.
+        // Half of the chains begin around the estimate and the minima, the others anywhere.
         VectorXd unit = cube.sample(random);
         auto const& minima = assessment.minima();
-        if (c % 2 == 0)
-            unit = cube.project(0.9 * minima[c / 2 % minima.size()].point + 0.1 * unit);
+        if (c % 2 == 0) {
+            auto const turn = static_cast<std::size_t>(c) / 2 % (minima.size() + 1);
+            unit = cube.project(0.9 * (turn == 0 ? best : minima[turn - 1].point) + 0.1 * unit);
+        }
         population.push_back({unit, chi_square(unit)});
     }
 
@@ -119,24 +103,63 @@ VectorXd pushed(UnitCube const& cube, ChiSquare const& chi_square, double thresh
     return point;
 }
 
-//! Extents of the compatible sets along each factor [k x 2], unit cube.
-MatrixXd extents(Assessment const& assessment, ChiSquare const& chi_square, double threshold,
-                 std::vector<State> const& draws, RandomStream random)
+//! Least chi2 with one factor on a bound, sought from a set that lies there.
+double least_on_bound(Assessment const& assessment, ChiSquare const& chi_square, VectorXd const& there,
+                      int factor)
 {
-    int const k = assessment.cube().size();
-    VectorXd const& best = assessment.minima().front().point;
-    MatrixXd result(k, 2);
-    for (int j = 0; j < k; ++j)
-        for (int side = 0; side < 2; ++side) {
-            double const direction = side == 0 ? -1 : 1;
-            VectorXd extreme = best;
-            for (auto const& state : draws)
-                if (state.chi_square <= threshold && direction * (state.unit[j] - extreme[j]) > 0)
-                    extreme = state.unit;
-            result(j, side) =
-                pushed(assessment.cube(), chi_square, threshold, extreme, j, direction, random)[j];
-        }
-    return result;
+    double least = chi_square(there);
+    if (assessment.cube().free_factors().size() < 2)
+        return least;
+    try {
+        auto const cube = assessment.cube().with_fixed(factor, there[factor]);
+        LeastSquaresProblem const problem{cube.size(), assessment.objective().size(),
+                                          [&](VectorXd const& unit) { return chi_square.residuals(unit); },
+                                          [&](VectorXd const& unit) { return chi_square.slopes(unit); }};
+        least = std::min(least, minimum_from(assessment.solver(), problem, cube, there).sum_of_squares);
+    } catch (InputError const&) { // the constraints leave no room on the bound
+    }
+    return least;
+}
+
+//! Where the interval would end if there were no bound: the profile of chi2 is continued as a parabola.
+double without_bound(Assessment const& assessment, ChiSquare const& chi_square, VectorXd const& best,
+                     VectorXd const& extreme, int factor)
+{
+    double const rise = least_on_bound(assessment, chi_square, extreme, factor) - chi_square(best);
+    double const distance = extreme[factor] - best[factor];
+    if (distance == 0)
+        return extreme[factor]; // the estimate itself is on the bound
+    return rise > 0 ? best[factor] + distance * std::max(1.0, std::sqrt(threshold_95 / rise))
+                    : std::copysign(HUGE_VAL, distance);
+}
+
+//! Extents of the compatible sets along a factor.
+FactorEvidence evidence_on(Assessment const& assessment, ChiSquare const& chi_square, VectorXd const& best,
+                           std::vector<State> const& draws, int factor, RandomStream& random)
+{
+    constexpr double at_bound = 1e-6;
+    double const threshold = chi_square(best) + threshold_95;
+    FactorEvidence evidence{&assessment.cube().factor(factor), best[factor], {}, {}};
+    for (double const direction : {-1.0, 1.0}) {
+        VectorXd extreme = best;
+        for (auto const& state : draws)
+            if (state.chi_square <= threshold && direction * (state.unit[factor] - extreme[factor]) > 0)
+                extreme = state.unit;
+        auto& end = direction < 0 ? evidence.lower : evidence.upper;
+        end.point = pushed(assessment.cube(), chi_square, threshold, extreme, factor, direction, random);
+        double const place = end.point[factor];
+        end.at_bound = direction < 0 ? place <= at_bound : place >= 1 - at_bound;
+        end.without_bound =
+            end.at_bound ? without_bound(assessment, chi_square, best, end.point, factor) : place;
+    }
+    // An estimate on a bound is as uncertain towards the outside as towards the inside.
+    auto mirror = [&](IntervalEnd& end, IntervalEnd const& other) {
+        if (end.at_bound && end.point[factor] == best[factor])
+            end.without_bound = 2 * best[factor] - other.without_bound;
+    };
+    mirror(evidence.lower, evidence.upper);
+    mirror(evidence.upper, evidence.lower);
+    return evidence;
 }
 
 MatrixXd correlation(MatrixXd const& rows)
@@ -152,35 +175,14 @@ MatrixXd correlation(MatrixXd const& rows)
     return result;
 }
 
-//! Noise of the targets at the predicted optimum; a misfit that no factors can remove counts as noise as
-//! well.
-VectorXd noise_at_optimum(Assessment const& assessment)
+//! Whether runs more probably fail than not at the estimate, or nearly always at an end of the interval.
+bool rests_on_failures(Feasibility const& feasibility, VectorXd const& best, FactorEvidence const& evidence)
 {
-    VectorXd const& best = assessment.minima().front().point;
-    VectorXd const noise =
-        (assessment.objective().measurement_sd().cwiseAbs2() + assessment.prediction_sd(best).cwiseAbs2())
-            .cwiseSqrt();
-    int const degrees = assessment.objective().size() - assessment.cube().size();
-    double const misfit = ChiSquare(assessment, noise)(best);
-    return degrees > 0 && misfit > degrees ? VectorXd(noise * std::sqrt(misfit / degrees)) : noise;
+    return feasibility.chance(best) < 0.5 || feasibility.chance(evidence.lower.point) < 0.25 ||
+           feasibility.chance(evidence.upper.point) < 0.25;
 }
 
 } // namespace
-
-char const* name_of(Verdict verdict)
-{
-    switch (verdict) {
-    case Verdict::determined:
-        return "determined";
-    case Verdict::weakly:
-        return "weakly determined";
-    case Verdict::not_determined:
-        return "not determined by these targets";
-    case Verdict::fixed:
-        return "fixed: inactive in the screening";
-    }
-    return "";
-}
 
 double misfit(Assessment const& assessment, VectorXd const& target_noise, VectorXd const& unit)
 {
@@ -190,23 +192,22 @@ double misfit(Assessment const& assessment, VectorXd const& target_noise, Vector
 FactorUncertainty factor_uncertainty(Assessment const& assessment, std::uint64_t seed)
 {
     UnitCube const& cube = assessment.cube();
-    int const k = cube.size();
-    ChiSquare const chi_square(assessment, noise_at_optimum(assessment));
-    auto const draws = draw(assessment, chi_square, RandomStream(derive_seed(seed, 1)));
-    double const threshold = chi_square(assessment.minima().front().point) + threshold_95;
-    MatrixXd const unit_extents =
-        extents(assessment, chi_square, threshold, draws, RandomStream(derive_seed(seed, 2)));
+    int const k = cube.size(), free = static_cast<int>(cube.free_factors().size());
+    FactorUncertainty result;
+    result.estimate = estimate(assessment);
+    result.fit = goodness_of_fit(result.estimate.chi_square, assessment.objective().size(), free);
+    result.target_noise = result.fit.inflation * result.estimate.noise;
+    ChiSquare const chi_square(assessment, result.target_noise);
+    VectorXd const& best = result.estimate.unit;
+    auto const draws = draw(assessment, chi_square, best, RandomStream(derive_seed(seed, 1)));
+    double const least = chi_square(best);
+    result.region_95 = least + threshold_95;
+    result.region_90 = least + chi_square_quantile(0.9, free);
 
     MatrixXd values(static_cast<Eigen::Index>(draws.size()), k);
     for (Eigen::Index i = 0; i < values.rows(); ++i)
         values.row(i) = cube.to_values(draws[i].unit).transpose();
     MatrixXd const centred = values.rowwise() - values.colwise().mean();
-
-    FactorUncertainty result;
-    result.target_noise = chi_square.noise();
-    result.least_misfit = threshold - threshold_95;
-    result.region_90 =
-        result.least_misfit + chi_square_quantile(0.9, static_cast<double>(cube.free_factors().size()));
     constexpr Eigen::Index most_draws = 400;
     auto const stride = std::max<Eigen::Index>(1, values.rows() / most_draws);
     result.draws.resize((values.rows() + stride - 1) / stride, k);
@@ -214,19 +215,29 @@ FactorUncertainty factor_uncertainty(Assessment const& assessment, std::uint64_t
         result.draws.row(i) = draws[static_cast<std::size_t>(i * stride)].unit.transpose();
     result.standard_errors = (centred.cwiseAbs2().colwise().mean()).cwiseSqrt().transpose();
     result.correlations = correlation(values);
-    result.intervals.resize(k, 2);
-    result.intervals.col(0) = cube.to_values(unit_extents.col(0));
-    result.intervals.col(1) = cube.to_values(unit_extents.col(1));
+
+    Feasibility const feasibility(assessment.locations());
+    RandomStream random(derive_seed(seed, 2));
+    MatrixXd extents(k, 2);
+    result.spreads = VectorXd::Constant(k, std::numeric_limits<double>::quiet_NaN());
     for (int j = 0; j < k; ++j) {
-        double const width = unit_extents(j, 1) - unit_extents(j, 0);
+        auto const evidence = evidence_on(assessment, chi_square, best, draws, j, random);
+        extents.row(j) << evidence.lower.point[j], evidence.upper.point[j];
         if (!cube.is_free(j)) {
             result.verdicts.push_back(Verdict::fixed);
+            result.on_bounds.push_back(OnBound::none);
             continue;
         }
-        result.verdicts.push_back(width < 0.5   ? Verdict::determined
-                                  : width < 0.9 ? Verdict::weakly
-                                                : Verdict::not_determined);
+        if (double const spread = evidence.spread(); std::isfinite(spread))
+            result.spreads[j] = spread;
+        result.on_bounds.push_back(evidence.on_bound());
+        result.verdicts.push_back(misses_targets(result.fit.p_value)               ? Verdict::misfit
+                                  : rests_on_failures(feasibility, best, evidence) ? Verdict::extrapolated
+                                                                                   : evidence.verdict());
     }
+    result.intervals.resize(k, 2);
+    result.intervals.col(0) = cube.to_values(extents.col(0));
+    result.intervals.col(1) = cube.to_values(extents.col(1));
     return result;
 }
 

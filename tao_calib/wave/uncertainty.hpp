@@ -1,29 +1,25 @@
 #pragma once
 
-#include "tao_calib/wave/assessment.hpp"
+#include "tao_calib/wave/misfit.hpp"
+#include "tao_calib/wave/verdict.hpp"
 
 namespace demens::tao_calib {
-
-//! How well the targets fix a factor, by the width of its interval as a share of its range.
-enum class Verdict
-{
-    determined = 0, //!< below 50 %
-    weakly = 1,     //!< below 90 %
-    not_determined = 2,
-    fixed = 3 //!< inactive in the screening, kept at a value
-};
-char const* name_of(Verdict verdict);
 
 //! How well each factor is known.
 struct FactorUncertainty
 {
-    Eigen::VectorXd target_noise;    //!< [m] measurement and prediction together
+    Estimate estimate;               //!< with the noise as stated
+    GoodnessOfFit fit;               //!< comes before all else
+    Eigen::VectorXd target_noise;    //!< [m] of the estimate, enlarged by fit.inflation
     Eigen::VectorXd standard_errors; //!< [k] own units
     Eigen::MatrixXd intervals;       //!< [k x 2] own units, 95 %, within the bounds
     Eigen::MatrixXd correlations;    //!< [k x k]
     std::vector<Verdict> verdicts;   //!< [k]
+    Eigen::VectorXd spreads;         //!< [k] FactorEvidence::spread(), NaN where it is infinite
+    std::vector<OnBound> on_bounds;  //!< [k]
     Eigen::MatrixXd draws;           //!< [n x k] unit cube; parameter sets, as likely as they are frequent
-    double least_misfit = 0;         //!< misfit() at the predicted optimum
+    //! misfit() up to which a set of all factors together is among those of the 95 % intervals
+    double region_95 = 0;
     //! misfit() up to which a set of all factors together is in the joint 90 % region
     double region_90 = 0;
 };

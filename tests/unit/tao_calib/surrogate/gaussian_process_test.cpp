@@ -134,6 +134,28 @@ TEST(GaussianProcess, GivesTheSameBitsAgain)
     EXPECT_EQ(GaussianProcess(samples).correlation().lengths, GaussianProcess(samples).correlation().lengths);
 }
 
+TEST(GaussianProcess, IsNeverSurerThanItsLeaveOneOutErrorsSupport)
+{
+    // Scatter of which the process is told nothing: its posterior is sure at the data, yet predicts left-out
+    // ones badly. Where it goes through a datum, that counts alone, so that the leave-one-out error remains.
+    auto samples = sampled(20, 1, [](VectorXd const& x) { return x[0]; });
+    RandomStream random(2);
+    for (double& value : samples.values)
+        value += 0.1 * normal(random);
+    GaussianProcess const fit(samples, {VectorXd::Constant(1, 0.3), 0});
+    VectorXd const datum = samples.points.row(7).transpose();
+    EXPECT_LT(fit.standard_deviation(datum), 1e-3);
+    EXPECT_NEAR(fit.supported_deviation(datum), leave_one_out_rmse(fit, samples), 1e-3);
+    // A process without correlation is the mean: no smaller than the standard error of that.
+    auto uncorrelated = samples;
+    uncorrelated.points *= 1e4;
+    GaussianProcess const mean(uncorrelated, {VectorXd::Constant(1, 0.3), 1});
+    EXPECT_NEAR(mean.supported_deviation(VectorXd::Constant(1, -1e4)),
+                std::max(mean.standard_deviation(VectorXd::Constant(1, -1e4)),
+                         leave_one_out_rmse(mean, samples) / std::sqrt(20.0)),
+                1e-9);
+}
+
 TEST(AutomaticChoice, TakesWhatPredictsLeftOutLocationsBest)
 {
     // A quadratic is one; a fast wave is best followed by a process with a length of its own for each factor.

@@ -79,6 +79,33 @@ TEST(Polynomial, StatesTheStandardErrorOfAMean)
     EXPECT_NEAR(fit.standard_deviation(VectorXd::Zero(1)), rmse / 2, 1e-12);
 }
 
+TEST(Polynomial, StatesTheSameForMeansOfManyRuns)
+{
+    // Means that scatter by as much are as good whatever number of runs is behind each: the scatter between
+    // the means tells the error, and the number of runs must not make it smaller once more.
+    auto once = sampled(12, 2, [](VectorXd const& x) { return 1 + x[0]; });
+    RandomStream random(4);
+    for (double& value : once.values)
+        value += 0.1 * normal(random);
+    auto sixteen = once;
+    sixteen.weights.setConstant(16);
+    VectorXd const point{{0.3, 0.8}};
+    EXPECT_NEAR(Polynomial(SurrogateKind::linear, sixteen).standard_deviation(point),
+                Polynomial(SurrogateKind::linear, once).standard_deviation(point), 1e-12);
+    EXPECT_NEAR(RadialBasis(sixteen, 16 * 0.3).standard_deviation(point),
+                RadialBasis(once, 0.3).standard_deviation(point), 1e-12);
+}
+
+TEST(Polynomial, AMeanOfManyRunsCountsAsThatMany)
+{
+    // A constant through means over 1 and 3 runs, 1 and 5: the mean 4 of all four runs. Leave-one-out errors
+    // -4 and 4 are those of a run of variance (1 x 16 + 3 x 16)/2 = 32, the mean of four has a quarter of it.
+    Samples const samples{MatrixXd::Zero(2, 1), VectorXd{{1, 5}}, VectorXd{{1, 3}}};
+    Polynomial const fit(SurrogateKind::constant, samples);
+    EXPECT_NEAR(fit.value(VectorXd::Zero(1)), 4, 1e-14);
+    EXPECT_NEAR(fit.standard_deviation(VectorXd::Zero(1)), std::sqrt(32.0 / 4), 1e-12);
+}
+
 TEST(RadialBasis, IsTheNaturalCubicSplineInOneDimension)
 {
     // Knots 0, 1/2, 1 with values 0, 1, 0: the spline through them is 3x - 4x^3 on the left half.

@@ -16,8 +16,8 @@ StandIn powder(double scatter)
     static auto const rig = response_names({"break", "rest"});
     StandIn stand_in(
         [](std::vector<double> const& f, int) {
-            return std::vector<double>{20 + 10 * f[0] + 60 * f[1] + 15 * f[2] - 6 * f[0] * f[0],
-                                       18 + 9 * f[0] + 50 * f[1] + 4 * f[2] - 5 * f[0] * f[0]};
+            return std::vector<double>{20 + 6 * f[0] + 60 * f[1] + 15 * f[2],
+                                       18 + 5 * f[0] + 50 * f[1] + 4 * f[2]};
         },
         {scatter, scatter});
     auto& input = stand_in.campaign.input;
@@ -93,6 +93,68 @@ TEST(Screening, TakesWhatMainEffectsLeaveOverWithoutReplicates)
     EXPECT_FALSE(screening.from_replicates);
     EXPECT_EQ(screening.error_degrees[0], 17 - 7);
     EXPECT_TRUE(screening.active[1]);
+}
+
+//! A speed of which only the square of vx is seen, without scatter: sqrt(vx^2 + vy^2 + vz^2) and vy itself.
+StandIn ring(int centre_points)
+{
+    static auto const rig = response_names({"speed", "y"});
+    StandIn stand_in(
+        [](std::vector<double> const& f, int) {
+            return std::vector<double>{std::hypot(f[0], f[1], f[2]), 0.1 * f[1]};
+        },
+        {0.0, 0.0});
+    auto& input = stand_in.campaign.input;
+    input.factors = {{"vx", "vx", -1.0, 1.0}, {"vy", "vy", 0.1, 1.0}, {"vz", "vz", -0.05, 0.05}};
+    ensemble::Experiment experiment;
+    experiment.name = "in";
+    experiment.rig = &rig;
+    experiment.responses = rig.responses;
+    experiment.targets = {{"speed", 0, 1.0, 0.01, 0.01, none}, {"y", 1, 0.06, 0.001, 0.001, none}};
+    input.experiments = {experiment};
+    input.screening.points = 4;
+    input.screening.centre_repetitions = centre_points;
+    input.stop.runs = 80;
+    return stand_in;
+}
+
+TEST(Screening, FixesNothingWhereTheCentreShowsCurvature)
+{
+    // At the corners the speed is 1.005 and 1.415, at the centre 0.55: 0.66 off what a plane makes of it.
+    for (int centre_points : {1, 3}) {
+        auto stand_in = ring(centre_points);
+        ASSERT_TRUE(stand_in.advance());
+        ASSERT_TRUE(stand_in.advance());
+        EXPECT_EQ(stand_in.stored("screening/active"), (std::vector<double>{1, 1, 1}));
+        EXPECT_EQ(stand_in.stored("screening/curved"), (std::vector<double>{1, 0}));
+        double const corners = 0.5 * (std::hypot(1, 0.1, 0.05) + std::hypot(1, 1, 0.05));
+        EXPECT_NEAR(stand_in.stored("screening/curvature")[0], 0.55 - corners, 1e-9);
+        EXPECT_NEAR(stand_in.stored("screening/curvature")[1], 0, 1e-9);
+        if (centre_points == 3) {
+            EXPECT_LT(stand_in.stored("screening/curvature_p")[0], 1e-6);
+        }
+    }
+    auto stand_in = ring(3);
+    stand_in.run_to_the_end();
+    auto const text = summary(stand_in.campaign);
+    EXPECT_NE(text.find("in.speed is off by -0.66"), std::string::npos) << text;
+    auto const& interval = stand_in.stored("optimum/factor_interval");
+    EXPECT_LE(interval[2], 0.6); // vy, the truth
+    EXPECT_GE(interval[3], 0.6);
+    EXPECT_LE(interval[0], -0.75); // vx = -0.8 or 0.8
+    EXPECT_GE(interval[1], 0.75);
+}
+
+TEST(Screening, FindsTheEffectsOfASimulationWithoutChance)
+{
+    // Exactly linear responses leave no error at all: what acts acts beyond any doubt, what does not does
+    // not.
+    auto stand_in = powder(0);
+    ASSERT_TRUE(stand_in.advance());
+    auto const screening = screen(stand_in.campaign, Objective(stand_in.campaign.input));
+    EXPECT_EQ(screening.active, (std::vector<bool>{true, true, true, false, false, false}));
+    EXPECT_TRUE(screening.p_values.allFinite());
+    EXPECT_NEAR(screening.effects(0, 1), 60 * 0.049, 1e-9);
 }
 
 TEST(Screening, KeepsAllFactorsWhereNothingCanBeConcluded)

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "tao_calib/wave/assessment.hpp"
+
+namespace demens::tao_calib {
+
+//! How well the targets fix a factor. Numbers are those of the campaign file.
+enum class Verdict
+{
+    determined = 0,
+    weakly = 1,
+    not_determined = 2,
+    fixed = 3,        //!< inactive in the screening, kept at a value
+    misfit = 4,       //!< the targets are missed beyond chance: no interval means what it says
+    extrapolated = 5, //!< the interval rests on surrogates where runs fail
+    limit = 6         //!< the value is compatible with 0; only how large it can be is known
+};
+char const* name_of(Verdict verdict);
+//! How verdicts are come to, to be printed beside them.
+char const* verdict_rule();
+
+//! Which bound an estimate lies on.
+enum class OnBound
+{
+    lower = -1,
+    none = 0,
+    upper = 1
+};
+
+//! One side of a factor's interval.
+struct IntervalEnd
+{
+    Eigen::VectorXd point; //!< the compatible set with the extreme value, unit cube
+    bool at_bound = false; //!< the targets would allow more than the bound does
+    //! where the interval would end without the bound, unit cube; infinite where nothing tells
+    double without_bound = 0;
+};
+
+//! What the verdict on a factor rests on.
+struct FactorEvidence
+{
+    ensemble::Factor const* factor;
+    double estimate; //!< unit cube
+    IntervalEnd lower, upper;
+
+    OnBound on_bound() const;
+    //! Half the interval over the size of the value, bounds left aside; for a logarithmic factor the factor
+    //! by which it is known, less 1. Infinite where the sign is open or nothing limits it.
+    double spread() const;
+    //! By the spread alone.
+    Verdict verdict() const;
+};
+
+} // namespace demens::tao_calib
