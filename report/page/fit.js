@@ -22,7 +22,7 @@ function show_fit(parent) {
 
 const verdicts = [['determined', 'good'], ['weakly determined', 'warn'], ['not determined by these targets', 'bad'],
     ['fixed: inactive in the screening', ''], ['not determined: the targets are missed', 'bad'],
-    ['not determined: extrapolated to where runs fail', 'bad'], ['only a limit is known: compatible with 0', 'warn']];
+    ['not determined: extrapolated to where runs fail', 'bad'], ['only a limit is known: 0 or either sign', 'warn']];
 
 const verdict_rule = 'Determined: the 95 % interval is within 25 % of the estimate (logarithmic factors: within a factor of '
     + '1.25); weakly: within 50 % (1.5); as far as the targets limit it, whatever the bounds. None where the targets are missed '

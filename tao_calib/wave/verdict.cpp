@@ -34,17 +34,18 @@ char const* name_of(Verdict verdict)
     case Verdict::extrapolated:
         return "not determined: extrapolated to where runs fail";
     case Verdict::limit:
-        return "only a limit is known: compatible with 0";
+        return "only a limit is known: 0 or either sign";
     }
     return "";
 }
 
 char const* verdict_rule()
 {
-    return "determined: the 95 % interval is within 25 % of the estimate (logarithmic factors: within a "
-           "factor "
-           "of 1.25), weakly: within 50 % (1.5), as far as the targets limit it, whatever the bounds; none "
-           "where the targets are missed beyond chance (p < 0.01) or the interval reaches where runs fail";
+    return "determined: the 95 % interval is within 25 % of the estimate (logarithmic: within a factor of "
+           "1.25),\n"
+           "  weakly: within 50 % (1.5), as far as the targets limit it, whatever the bounds; none where "
+           "the\n"
+           "  targets are missed beyond chance (p < 0.01) or the interval reaches where runs fail";
 }
 
 OnBound FactorEvidence::on_bound() const

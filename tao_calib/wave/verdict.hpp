@@ -13,7 +13,7 @@ enum class Verdict
     fixed = 3,        //!< inactive in the screening, kept at a value
     misfit = 4,       //!< the targets are missed beyond chance: no interval means what it says
     extrapolated = 5, //!< the interval rests on surrogates where runs fail
-    limit = 6         //!< the value is compatible with 0; only how large it can be is known
+    limit = 6         //!< the interval holds 0: how large it can be is known, not its sign
 };
 char const* name_of(Verdict verdict);
 //! How verdicts are come to, to be printed beside them.
