@@ -99,7 +99,7 @@ TEST(Render, finished_campaign)
     EXPECT_EQ(marks.at("deviations"), 3 + 3 + 1 + 6 + 3 + 3);
     // 1 wave border, the stop line and its text, 5 points that did not fail, the line.
     EXPECT_EQ(marks.at("convergence"), 1 + 2 + 5 + 1);
-    EXPECT_EQ(marks.at("intervals"), 5 * 3);
+    EXPECT_EQ(marks.at("intervals"), 6 * 3);
     EXPECT_EQ(marks.at("correlations"), 2 * 6);
     // Band, target, area, line, and the 12 runs of an experiment; one of the first experiment failed.
     EXPECT_EQ(marks.at("response-0-0-static_friction"), 4 + 11);
