@@ -1,5 +1,7 @@
 #include "demens/contact/pair_material.hpp"
 
+#include "demens/base/contract.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +10,8 @@ namespace demens::contact {
 PairMaterial::PairMaterial(Material const& i, Material const& j, PairProperties const& pair)
     : youngs_modulus_i(i.youngs_modulus), youngs_modulus_j(j.youngs_modulus)
 {
+    DEMENS_EXPECT(i.youngs_modulus > 0 && j.youngs_modulus > 0, "bodies are not infinitely soft");
+    DEMENS_EXPECT(pair.restitution > 0 && pair.restitution <= 1, "a coefficient of restitution");
     auto const plane_compliance = [](Material const& m) {
         return (1 - m.poisson_ratio * m.poisson_ratio) / m.youngs_modulus;
     };

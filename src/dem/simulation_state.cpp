@@ -100,15 +100,16 @@ double Simulation::potential_energy() const
     return energy;
 }
 
-StoredEnergy Simulation::stored_energy() const
+contact::StoredEnergy Simulation::stored_energy() const
 {
-    StoredEnergy sum;
+    contact::StoredEnergy sum;
     for (ContactList const& list : lists_)
         for (std::size_t s = 0; s < list.size(); ++s)
             if (list.touching[s])
-                sum += share_of(list) *
-                       dem::stored_energy(laws_[list.interaction], layouts_[list.interaction],
-                                          list.state.data() + s * static_cast<std::size_t>(list.state_size));
+                sum +=
+                    share_of(list) *
+                    contact::stored_energy(laws_[list.interaction], layouts_[list.interaction],
+                                           list.state.data() + s * static_cast<std::size_t>(list.state_size));
     return sum;
 }
 
@@ -126,7 +127,7 @@ EnergyLedger Simulation::present_energy() const
         ledger.kinetic_rotation += 0.5 * m.inertia * (norm_squared(spin(m, l)) - norm_squared(turn));
     }
     ledger.potential = potential_energy();
-    StoredEnergy const stored = stored_energy();
+    contact::StoredEnergy const stored = stored_energy();
     ledger.elastic_normal = stored.normal;
     ledger.elastic_tangential = stored.tangential;
     ledger.elastic_rolling = stored.rolling;

@@ -65,7 +65,7 @@ double arithmetic_nanoseconds(contact::Model const& model)
     constexpr int measurements = 20, blocks = 500;
     auto const block = std::make_unique<dem::ContactBlock>();
     contact::LawSet const laws(model.materials[0], model.materials[0], model.pairs[0]);
-    auto const layout = dem::state_layout(laws, false);
+    auto const layout = contact::state_layout(laws, false);
     fill(*block);
     double least = std::numeric_limits<double>::infinity();
     for (int m = 0; m < measurements; ++m) {

@@ -38,7 +38,7 @@ void neighbour_build(benchmark::State& state)
     auto particles = lattice(static_cast<int>(state.range(0)));
     dem::NeighbourSearch search(1, {0});
     contact::Model const model = bench::powder("none");
-    auto const layout = dem::state_layout({model.materials[0], model.materials[0], model.pairs[0]}, false);
+    auto const layout = contact::state_layout({model.materials[0], model.materials[0], model.pairs[0]}, false);
     std::vector<dem::ContactList> lists(2);
     for (auto& list : lists)
         list.state_size = layout.size, list.state_scalars = layout.scalars;
@@ -55,7 +55,7 @@ void law(benchmark::State& state, contact::Model const& model)
 {
     auto const block = std::make_unique<dem::ContactBlock>();
     contact::LawSet const laws(model.materials[0], model.materials[0], model.pairs[0]);
-    auto const layout = dem::state_layout(laws, false);
+    auto const layout = contact::state_layout(laws, false);
     bench::fill(*block);
     for (auto _ : state) {
         dem::derive_geometry(*block, false, 0.5);

@@ -291,38 +291,29 @@ ReferenceLoop::Action ReferenceLoop::act(Meeting const& meeting, contact::LawSet
                                          History& history) const
 {
     ContactKinematics const& kinematics = meeting.kinematics;
-    contact::NormalResponse const normal =
-        std::visit([&](auto const& law) { return law(kinematics, history.normal); }, laws.normal);
-    double const attraction = std::visit(
-        [&]<class Law>(Law const& law) {
-            if constexpr (std::is_same_v<Law, NoLaw>)
-                return 0.0;
-            else
-                return law(kinematics, history.cohesion).force;
-        },
-        laws.cohesion);
+    contact::NormalResponse const normal = laws.normal.visit([&](auto const& law) {
+        return law(kinematics, {}, {history.normal, nullptr});
+    });
+    double const attraction = laws.cohesion.visit([&]<class Law>(Law const& law) {
+        if constexpr (std::is_same_v<Law, NoLaw>)
+            return 0.0;
+        else
+            return law(kinematics, normal, {history.cohesion, nullptr}).force;
+    });
     double const limit = laws.cohesion_in_limit ? normal.limit + attraction : normal.limit;
     contact::NormalResponse const load{.limit = std::max(limit, 0.0), .stiffness = normal.stiffness};
-    Vector3 const friction = std::visit(
-        [&]<class Law>(Law const& law) {
+    auto const resistance = [&](double* scalars, Vector3* vectors) {
+        return [&kinematics, &load, scalars, vectors]<class Law>(Law const& law) {
             if constexpr (std::is_same_v<Law, NoLaw>) {
                 return Vector3{};
             } else {
-                auto const r = law(kinematics, load, history.tangential, &history.sliding);
+                auto const r = law(kinematics, load, {scalars, vectors});
                 return r.spring + r.viscous;
             }
-        },
-        laws.tangential);
-    Vector3 const rolling = std::visit(
-        [&]<class Law>(Law const& law) {
-            if constexpr (std::is_same_v<Law, NoLaw>) {
-                return Vector3{};
-            } else {
-                auto const r = law(kinematics, load, &history.rolling);
-                return r.spring + r.viscous;
-            }
-        },
-        laws.rolling);
+        };
+    };
+    Vector3 const friction = laws.tangential.visit(resistance(history.tangential, &history.sliding));
+    Vector3 const rolling = laws.rolling.visit(resistance(history.rolling, &history.turning));
     Vector3 const force = (normal.force + attraction) * kinematics.normal + friction;
     return {.force = force,
             .torque_i = cross(-meeting.arm_i * kinematics.normal, force) + rolling,

@@ -50,8 +50,8 @@ class ReferenceLoop
     //! What the laws of one contact remember.
     struct History
     {
-        double normal[4] = {}, cohesion[4] = {}, tangential[4] = {};
-        Vector3 sliding{}, rolling{};
+        double normal[4] = {}, cohesion[4] = {}, tangential[4] = {}, rolling[4] = {};
+        Vector3 sliding{}, turning{};
     };
     //! Two bodies that meet, with the distances of their centres from the contact point; a wall has none.
     struct Meeting

@@ -6,6 +6,8 @@ namespace demens {
 
 //! Four doubles that move together; the compiler maps them to the registers that the machine has.
 using Four = double __attribute__((vector_size(32), aligned(8)));
+//! The same in registers only, for templates: they drop the alignment of an argument.
+using FourValues = double __attribute__((vector_size(32)));
 using FourMask = long long __attribute__((vector_size(32)));
 
 DEMENS_INLINE Four load_four(double const* from)

@@ -7,6 +7,13 @@
 #define DEMENS_FUNCTION
 #endif
 
+//! Before a template of DEMENS_FUNCTION that calls what it is given: it runs where that runs.
+#if defined(__CUDACC__)
+#define DEMENS_RUNS_WHERE_ITS_ARGUMENT_DOES _Pragma("nv_exec_check_disable")
+#else
+#define DEMENS_RUNS_WHERE_ITS_ARGUMENT_DOES
+#endif
+
 //! Forces inlining of small formulas into the vectorised loops that call them.
 #if defined(__CUDACC__)
 #define DEMENS_INLINE __forceinline__

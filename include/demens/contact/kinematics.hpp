@@ -1,5 +1,6 @@
 #pragma once
 
+#include "demens/base/contract.hpp"
 #include "demens/base/macros.hpp"
 #include "demens/base/vector3.hpp"
 
@@ -66,6 +67,7 @@ DEMENS_INLINE DEMENS_FUNCTION Vector3 turned_into_plane(Vector3 const& stored, V
 DEMENS_INLINE DEMENS_FUNCTION double share_within(double size, double limit)
 {
     double const larger = size > limit ? size : limit;
+    DEMENS_EXPECT(!(limit < 0), "a limit of a force or torque");
     return limit / (larger > 1e-300 ? larger : 1e-300);
 }
 
@@ -85,6 +87,7 @@ struct CoulombFriction
     //! `sliding` (0 sticks, 1 slides).
     DEMENS_INLINE DEMENS_FUNCTION double limit(double trial, double normal_force, double& sliding) const
     {
+        DEMENS_EXPECT(!(normal_force < 0), "what limits friction pushes");
         double const threshold = (sliding > 0.5 ? kinetic_coefficient : static_coefficient) * normal_force;
         double const size = trial > 1e-300 ? trial : 1e-300;
         bool const slides = trial > threshold;

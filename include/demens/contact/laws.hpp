@@ -8,6 +8,7 @@
 #include "demens/contact/cohesion/van_der_waals.hpp"
 #include "demens/contact/normal/hertz.hpp"
 #include "demens/contact/normal/hysteretic_spring.hpp"
+#include "demens/contact/one_of.hpp"
 #include "demens/contact/range.hpp"
 #include "demens/contact/rolling/constant_torque.hpp"
 #include "demens/contact/rolling/epsd.hpp"
@@ -18,34 +19,31 @@
 #include "demens/contact/tangential/mindlin_deresiewicz.hpp"
 #include "demens/contact/tangential/mindlin_rescale.hpp"
 
-#include <variant>
-
 namespace demens::contact {
-
-//! No force of that kind.
-struct NoLaw
-{
-};
 
 // The list of laws. The order is that of the enumerations in model.hpp. To add one: its header, its line
 // here, its name in model.cpp, its test.
-using AnyNormal = std::variant<HertzNormal, HystereticSpringNormal>;
-using AnyTangential = std::variant<NoLaw, MindlinTangential, MindlinRescaleTangential,
-                                   MindlinDeresiewiczTangential, LinearCoulombTangential>;
-using AnyRolling = std::variant<NoLaw, ConstantTorqueRolling, ViscousRolling, EpsdRolling, Epsd2Rolling>;
-using AnyCohesion = std::variant<NoLaw, LinearCohesion, Sjkr2Cohesion, VanDerWaalsCohesion, DmtCohesion,
-                                 JkrCohesion, CapillaryCohesion>;
+using AnyNormal = OneOf<HertzNormal, HystereticSpringNormal>;
+using AnyTangential = OneOf<NoLaw, MindlinTangential, MindlinRescaleTangential, MindlinDeresiewiczTangential,
+                            LinearCoulombTangential>;
+using AnyRolling = OneOf<NoLaw, ConstantTorqueRolling, ViscousRolling, EpsdRolling, Epsd2Rolling>;
+using AnyCohesion = OneOf<NoLaw, LinearCohesion, Sjkr2Cohesion, VanDerWaalsCohesion, DmtCohesion, JkrCohesion,
+                          CapillaryCohesion>;
 
-//! The laws of one pair of materials, ready to be evaluated.
+//! The laws of one pair of materials, ready to be evaluated on the host or, copied byte by byte, on a device.
 struct LawSet
 {
     LawSet(Material const& i, Material const& j, PairProperties const& pair);
+    LawSet(PairMaterial const& material, PairProperties const& pair);
 
     AnyNormal normal;
     AnyTangential tangential;
     AnyRolling rolling;
     AnyCohesion cohesion;
     bool cohesion_in_limit; //!< attraction lowers the limit of friction and rolling
+
+    //! Share of the attraction in the limit of friction and rolling.
+    DEMENS_FUNCTION double share_in_limit() const { return cohesion_in_limit ? 1.0 : 0.0; }
 };
 
 //! How far beyond contact the laws act, for effective radii up to `largest_radius` [m].

@@ -152,7 +152,7 @@ class Simulation
     bool is_outside_domain() const;
     EnergyLedger present_energy() const;
     double potential_energy() const;
-    StoredEnergy stored_energy() const;
+    contact::StoredEnergy stored_energy() const;
     Vector3 velocity(Motion const& motion, Load const& load) const;
     Vector3 spin(Motion const& motion, Load const& load) const;
     //! Over all ranks.
@@ -162,9 +162,9 @@ class Simulation
     SimulationOptions options_;
     std::vector<contact::Material> materials_;
     std::vector<contact::LawSet> laws_;
-    std::vector<StateLayout> layouts_;       //!< of each law set's history
-    std::vector<contact::Range> ranges_;     //!< of each law set, for the largest particle
-    std::vector<std::uint32_t> interaction_; //!< law set of materials (a, b) at a * materials + b
+    std::vector<contact::StateLayout> layouts_; //!< of each law set's history
+    std::vector<contact::Range> ranges_;        //!< of each law set, for the largest particle
+    std::vector<std::uint32_t> interaction_;    //!< law set of materials (a, b) at a * materials + b
     Particles particles_;
     std::vector<Wall> walls_;
     std::vector<WallLoad> wall_loads_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "demens/contact/evaluation/meeting.hpp"
 #include "demens/dem/wall_shape.hpp"
 
 #include <cstdint>
@@ -22,6 +23,8 @@ struct Wall
     {
         return velocity + belt + cross(spin, p - pivot);
     }
+    //! What a contact reads of it.
+    contact::WallSurface surface() const { return {velocity + belt, spin, pivot}; }
 };
 
 //! How a wall moves from now on, steadily.

@@ -1,6 +1,7 @@
 #include "src/dem/cpu/block_transfer.hpp"
 
 #include "demens/base/lanes.hpp"
+#include "demens/contact/evaluation/loads.hpp"
 
 namespace demens::dem {
 namespace {
@@ -47,18 +48,19 @@ struct LoadRows
     Four force[4], torque_i[4], torque_j[4];
 };
 
-//! The force acts at the contact point, -arm_i n from i and arm_j n from j.
 DEMENS_INLINE LoadRows load_rows(ContactBlock const& b, int l)
 {
+    auto const three = [l](double const* x, double const* y, double const* z) {
+        return contact::Components<FourValues>{load_four(x + l), load_four(y + l), load_four(z + l)};
+    };
+    auto const loads = contact::body_loads<FourValues>(three(b.nx, b.ny, b.nz), load_four(b.arm_i + l),
+                                                       load_four(b.arm_j + l), three(b.fx, b.fy, b.fz),
+                                                       three(b.mx, b.my, b.mz));
+    auto const& [force, torque_i, torque_j] = loads;
     Four const zero{};
-    Four const nx = load_four(b.nx + l), ny = load_four(b.ny + l), nz = load_four(b.nz + l);
-    Four const fx = load_four(b.fx + l), fy = load_four(b.fy + l), fz = load_four(b.fz + l);
-    Four const mx = load_four(b.mx + l), my = load_four(b.my + l), mz = load_four(b.mz + l);
-    Four const ai = load_four(b.arm_i + l), aj = load_four(b.arm_j + l);
-    Four const cx = ny * fz - nz * fy, cy = nz * fx - nx * fz, cz = nx * fy - ny * fx; // n x f
-    LoadRows rows{{fx, fy, fz, zero},
-                  {mx - ai * cx, my - ai * cy, mz - ai * cz, zero},
-                  {-(mx + aj * cx), -(my + aj * cy), -(mz + aj * cz), zero}};
+    LoadRows rows{{force.x, force.y, force.z, zero},
+                  {torque_i.x, torque_i.y, torque_i.z, zero},
+                  {torque_j.x, torque_j.y, torque_j.z, zero}};
     transpose(rows.force[0], rows.force[1], rows.force[2], rows.force[3]);
     transpose(rows.torque_i[0], rows.torque_i[1], rows.torque_i[2], rows.torque_i[3]);
     transpose(rows.torque_j[0], rows.torque_j[1], rows.torque_j[2], rows.torque_j[3]);
@@ -164,15 +166,13 @@ DEMENS_MULTIVERSION void gather_wall_contacts_into(ContactBlock& b, ContactList 
     }
     for (int from = 0, to; from < b.count; from = to) {
         to = end_of_wall(b, list, from);
-        Wall const& wall = walls[list.second[b.slot[from]]];
-        Vector3 const moving = wall.velocity + wall.belt, spin = wall.spin, pivot = wall.pivot;
+        contact::WallSurface const moving = walls[list.second[b.slot[from]]].surface();
         for (int l = from; l < (to < b.count ? to : padded); ++l) {
-            Vector3 const arm = Vector3{x[l], y[l], z[l]} - Vector3{b.dx[l], b.dy[l], b.dz[l]} - pivot;
-            Vector3 const surface = moving + cross(spin, arm);
+            Vector3 const surface = moving.velocity_at({x[l], y[l], z[l]}, {b.dx[l], b.dy[l], b.dz[l]});
             b.vx[l] -= surface.x, b.vy[l] -= surface.y, b.vz[l] -= surface.z;
-            b.wjx[l] = spin.x, b.wjy[l] = spin.y, b.wjz[l] = spin.z;
+            b.wjx[l] = moving.spin.x, b.wjy[l] = moving.spin.y, b.wjz[l] = moving.spin.z;
             b.radius_j[l] = b.radius_i[l];
-            b.mass_j[l] = 1e300;
+            b.mass_j[l] = contact::wall_mass;
         }
     }
 }
@@ -193,7 +193,7 @@ DEMENS_MULTIVERSION void scatter_wall_contacts_from(ContactBlock const& b, Conta
             Vector3 const torque{rows.torque_i[k][0], rows.torque_i[k][1], rows.torque_i[k][2]};
             Vector3 const arm = Vector3{places[i].x, places[i].y, places[i].z} - walls[second].pivot;
             wall_loads[second].force -= force;
-            wall_loads[second].torque -= cross(arm, force) + torque;
+            wall_loads[second].torque += contact::torque_on_wall(arm, force, torque);
         }
         store_history(b, l, count, list.state.data(), stride);
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "demens/base/macros.hpp"
+#include "demens/contact/evaluation/geometry.hpp"
 
 #include <cstdint>
 
@@ -46,5 +46,18 @@ struct alignas(64) ContactBlock
 //! Fills the derived quantities; bodies apart have a gap and no overlap. Returns whether any overlap is more
 //! than `overlap_limit` times the smaller radius of the two bodies.
 bool derive_geometry(ContactBlock& block, bool with_wall, double overlap_limit);
+
+//! The bodies of lane l.
+DEMENS_INLINE contact::Meeting meeting_of(ContactBlock const& b, int l)
+{
+    return {.apart = {b.dx[l], b.dy[l], b.dz[l]},
+            .radius_i = b.radius_i[l],
+            .radius_j = b.radius_j[l],
+            .mass_i = b.mass_i[l],
+            .mass_j = b.mass_j[l],
+            .velocity = {b.vx[l], b.vy[l], b.vz[l]},
+            .spin_i = {b.wix[l], b.wiy[l], b.wiz[l]},
+            .spin_j = {b.wjx[l], b.wjy[l], b.wjz[l]}};
+}
 
 } // namespace demens::dem

@@ -137,7 +137,7 @@ TEST(Extremes, OverlapsNextToNothing)
         for (bool const ledger : {false, true}) {
             SCOPED_TRACE(name);
             contact::LawSet const laws(model.materials[0], model.materials[0], model.pairs[0]);
-            auto const layout = dem::state_layout(laws, ledger);
+            auto const layout = contact::state_layout(laws, ledger);
             b = dem::ContactBlock{};
             b.count = dem::ContactBlock::lanes;
             for (int l = 0; l < b.count; ++l) {

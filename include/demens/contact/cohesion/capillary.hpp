@@ -1,7 +1,6 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -11,12 +10,11 @@ namespace demens::contact {
 //! Liquid bridge of a given volume V: F = -4 pi R* sigma cos(theta)/(1 + 1.05 S + 2.5 S^2) over the gap g
 //! with S = g sqrt(2 R*/V) (Willett et al. 2000, for unlike spheres with Derjaguin's radius 2 R*). The bridge
 //! forms at contact and ruptures at the gap (1 + theta/2) V^(1/3) (Lian et al. 1993).
-class CapillaryCohesion
+class CapillaryCohesion : public LawTraits
 {
   public:
     //! Bridged (0 or 1).
     static constexpr int state_scalars = 1;
-    static constexpr bool needs_contact = true;
 
     CapillaryCohesion(PairMaterial const&, PairProperties const& pair)
         : factor_(4 * std::numbers::pi * pair.surface_tension *
@@ -31,13 +29,14 @@ class CapillaryCohesion
     double range(double) const { return rupture_; }
 
     DEMENS_INLINE DEMENS_FUNCTION CohesionResponse operator()(ContactKinematics const& contact,
-                                                              double* scalars) const
+                                                              NormalResponse const&,
+                                                              History const& history) const
     {
-        double const was = scalars[0];
+        double const was = history.scalars[0];
         bool const wet = rupture_ > 0;
         double const bridged =
             wet && (contact.overlap > 0 || (was > 0 && contact.gap < rupture_)) ? 1.0 : 0.0;
-        scalars[0] = bridged;
+        history.scalars[0] = bridged;
         double const radius = contact.effective_radius;
         double const scale = std::sqrt(radius * inverse_volume_);
         double const s = scale * contact.gap;

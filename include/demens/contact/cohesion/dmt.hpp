@@ -1,7 +1,6 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 #include <numbers>
 
@@ -9,17 +8,16 @@ namespace demens::contact {
 
 //! Constant attraction in contact, F = -4 pi gamma R*, which is also the pull-off force (Derjaguin, Muller
 //! and Toporov 1975); gamma is the surface energy of either body.
-class DmtCohesion
+class DmtCohesion : public LawTraits
 {
   public:
-    static constexpr int state_scalars = 0;
-
     DmtCohesion(PairMaterial const&, PairProperties const& pair)
         : factor_(4 * std::numbers::pi * pair.surface_energy)
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION CohesionResponse operator()(ContactKinematics const& contact, double*) const
+    DEMENS_INLINE DEMENS_FUNCTION CohesionResponse operator()(ContactKinematics const& contact,
+                                                              NormalResponse const&, History const&) const
     {
         double const force = contact.overlap > 0 ? -factor_ * contact.effective_radius : 0.0;
         return {force, force * contact.overlap, 0};

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -25,12 +24,11 @@ DEMENS_INLINE DEMENS_FUNCTION double cube_root(double length)
 //! contact radius a, F = -4 E* a^3/(3 R*) + 4 sqrt(pi gamma E* a^3), d = a^2/R* - 2 sqrt(pi gamma a/E*). It
 //! pulls with up to 3 pi gamma R*. The bond forms at contact and breaks at the gap 3 a_s^2/R*, beyond which
 //! there is no equilibrium, a_s^3 = pi gamma R*^2/(4 E*).
-class JkrCohesion
+class JkrCohesion : public LawTraits
 {
   public:
     //! Bonded (0 or 1).
     static constexpr int state_scalars = 1;
-    static constexpr bool needs_contact = true;
 
     JkrCohesion(PairMaterial const& material, PairProperties const& pair)
         : modulus_(material.effective_youngs_modulus), bonds_(pair.surface_energy > 0 ? 1.0 : 0.0),
@@ -46,16 +44,17 @@ class JkrCohesion
     }
 
     DEMENS_INLINE DEMENS_FUNCTION CohesionResponse operator()(ContactKinematics const& contact,
-                                                              double* scalars) const
+                                                              NormalResponse const&,
+                                                              History const& history) const
     {
         double const radius = contact.effective_radius;
         double const third = cube_root(radius);
         double const smallest = breaking_ * third * third;
         double const reach = 3 * breaking_ * breaking_ * third;
         double const depth = (contact.overlap - contact.gap) / reach;
-        double const was = scalars[0];
+        double const was = history.scalars[0];
         double const bonded = contact.overlap > 0 || (was > 0 && depth > -1) ? bonds_ : 0.0;
-        scalars[0] = bonded;
+        history.scalars[0] = bonded;
         double const y = root_of_contact_radius(depth);
         double const y3 = y * y * y;
         double const unit = modulus_ * smallest * smallest * smallest / radius; // E* a_s^3/R*

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 #include <numbers>
 
@@ -20,17 +19,16 @@ DEMENS_INLINE DEMENS_FUNCTION double lens_square(ContactKinematics const& contac
 
 //! Attraction in proportion to the circle in which the surfaces cut each other, F = -k pi a^2 ("simplified
 //! JKR").
-class LinearCohesion
+class LinearCohesion : public LawTraits
 {
   public:
-    static constexpr int state_scalars = 0;
-
     LinearCohesion(PairMaterial const&, PairProperties const& pair)
         : factor_(std::numbers::pi * pair.cohesion_energy_density)
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION CohesionResponse operator()(ContactKinematics const& contact, double*) const
+    DEMENS_INLINE DEMENS_FUNCTION CohesionResponse operator()(ContactKinematics const& contact,
+                                                              NormalResponse const&, History const&) const
     {
         double const d = contact.overlap, square = lens_square(contact, d);
         // Simpson's rule: exact on a plane, and next to it for overlaps much smaller than the radii.

@@ -1,24 +1,22 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 #include <numbers>
 
 namespace demens::contact {
 
 //! Linear cohesion with the area of a cap instead of the circle, F = -k 2 pi d (2 R*) ("SJKR2").
-class Sjkr2Cohesion
+class Sjkr2Cohesion : public LawTraits
 {
   public:
-    static constexpr int state_scalars = 0;
-
     Sjkr2Cohesion(PairMaterial const&, PairProperties const& pair)
         : factor_(4 * std::numbers::pi * pair.cohesion_energy_density)
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION CohesionResponse operator()(ContactKinematics const& contact, double*) const
+    DEMENS_INLINE DEMENS_FUNCTION CohesionResponse operator()(ContactKinematics const& contact,
+                                                              NormalResponse const&, History const&) const
     {
         double const force = -factor_ * contact.effective_radius * contact.overlap;
         return {force, 0.5 * force * contact.overlap, 0};

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -11,10 +10,9 @@ namespace demens::contact {
 //! Van der Waals attraction: -A R*/(6 g^2) over the gap g, constant below the gap g_0 at which it reaches the
 //! contact force -4 pi gamma R*, and cut off at g_0/sqrt(C), C = 0.01, where it has fallen to C of that
 //! (Meier et al. 2019). In contact it is `dmt`.
-class VanDerWaalsCohesion
+class VanDerWaalsCohesion : public LawTraits
 {
   public:
-    static constexpr int state_scalars = 0;
     static constexpr bool needs_contact = false;
 
     VanDerWaalsCohesion(PairMaterial const&, PairProperties const& pair)
@@ -28,7 +26,8 @@ class VanDerWaalsCohesion
     //! Gap at which it is cut off [m].
     double range(double) const { return nearest_ / cut_off_root; }
 
-    DEMENS_INLINE DEMENS_FUNCTION CohesionResponse operator()(ContactKinematics const& contact, double*) const
+    DEMENS_INLINE DEMENS_FUNCTION CohesionResponse operator()(ContactKinematics const& contact,
+                                                              NormalResponse const&, History const&) const
     {
         double const last = nearest_ / cut_off_root;
         double const gap = contact.gap > nearest_ ? contact.gap : nearest_;

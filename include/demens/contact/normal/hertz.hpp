@@ -1,7 +1,6 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 namespace demens::contact {
 
@@ -9,12 +8,9 @@ namespace demens::contact {
 //! 1992): F_n = 4/3 E* sqrt(R*) d^(3/2) + 2 sqrt(5/6) beta sqrt(S_n m*) v_n, S_n = 2 E* sqrt(R* d). Its
 //! elastic part limits friction: over an impact that part has the impulse of the whole force, so that a
 //! sliding impact has exactly mu times the normal impulse, whatever the damping.
-class HertzNormal
+class HertzNormal : public LawTraits
 {
   public:
-    static constexpr int state_scalars = 0;
-    static constexpr bool has_potential = true;
-
     HertzNormal(PairMaterial const& material, PairProperties const& pair)
         : youngs_modulus_(material.effective_youngs_modulus),
           damping_(1.8257418583505538 * material.damping * std::sqrt(2 * youngs_modulus_)),
@@ -22,7 +18,8 @@ class HertzNormal
     {
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION NormalResponse operator()(ContactKinematics const& contact, double*) const
+    DEMENS_INLINE DEMENS_FUNCTION NormalResponse operator()(ContactKinematics const& contact,
+                                                            NormalResponse const&, History const&) const
     {
         double const stiffness = 2 * youngs_modulus_ * contact.contact_radius;
         double const elastic = 2.0 / 3.0 * stiffness * contact.overlap;

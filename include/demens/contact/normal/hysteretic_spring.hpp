@@ -1,14 +1,13 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 namespace demens::contact {
 
 //! Spring that is stiffer in unloading than in loading (Walton and Braun 1986; Moncada et al. 2023, eq. 1-2):
 //! K_u = K_l/e^2, and unloading never falls below lambda K_l d. A body's stiffness is its modulus times the
 //! particle diameter, the two in series.
-class HystereticSpringNormal
+class HystereticSpringNormal : public LawTraits
 {
   public:
     //! Force [N] and overlap [m] of the previous step.
@@ -22,20 +21,21 @@ class HystereticSpringNormal
     }
 
     DEMENS_INLINE DEMENS_FUNCTION NormalResponse operator()(ContactKinematics const& contact,
-                                                            double* state) const
+                                                            NormalResponse const&,
+                                                            History const& history) const
     {
         double const k_i = 2 * modulus_i_ * contact.radius_i;
         double const k_j = 2 * modulus_j_ * contact.radius_j;
         double const loading = k_i * k_j / (k_i + k_j);
         double const line = loading * contact.overlap;
-        double const step = contact.overlap - state[1];
-        double const trial = state[0] + unloading_ratio_ * loading * step;
+        double const step = contact.overlap - history.scalars[1];
+        double const trial = history.scalars[0] + unloading_ratio_ * loading * step;
         double const lowest = floor_ * line;
         double const on_loading = trial < line ? trial : line;
         double const on_unloading = on_loading > lowest ? on_loading : lowest;
         double const force = step >= 0 ? on_loading : on_unloading;
-        state[0] = force;
-        state[1] = contact.overlap;
+        history.scalars[0] = force;
+        history.scalars[1] = contact.overlap;
         return {force, force, loading, force, spring_energy(force * force, unloading_ratio_ * loading)};
     }
 

@@ -1,24 +1,21 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 namespace demens::contact {
 
 //! Torque of constant size against the relative spin, M = -mu_r R* |F_n| w/|w| (type A of Ai et al. 2011). It
 //! never turns the spin round within a step: |M| <= I_r |w|/dt, which lets a body come to rest.
-class ConstantTorqueRolling
+class ConstantTorqueRolling : public LawTraits
 {
   public:
-    static constexpr int state_vectors = 0;
-
     ConstantTorqueRolling(PairMaterial const&, PairProperties const& pair)
         : coefficient_(pair.rolling_friction)
     {
     }
 
     DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
-                                                        NormalResponse const& normal, Vector3*) const
+                                                        NormalResponse const& normal, History const&) const
     {
         double const spin = norm(contact.relative_spin);
         double const limit = coefficient_ * contact.effective_radius * normal.limit;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 namespace demens::contact {
 
@@ -13,7 +12,7 @@ DEMENS_INLINE DEMENS_FUNCTION Vector3 rolling_spin(ContactKinematics const& cont
 
 //! Elastic-plastic spring-dashpot (type C of Ai et al. 2011): a torque spring k_r = 2.25 S_n mu_r^2 R*^2 up
 //! to mu_r R* |F_n|, and below that limit a dashpot -2 eta sqrt(I_r k_r) w.
-class EpsdRolling
+class EpsdRolling : public LawTraits
 {
   public:
     //! Spring torque of the previous step [N m].
@@ -27,19 +26,21 @@ class EpsdRolling
     }
 
     DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
-                                                        NormalResponse const& normal, Vector3* vectors) const
+                                                        NormalResponse const& normal,
+                                                        History const& history) const
     {
         double const arm = coefficient_ * contact.effective_radius;
         double const stiffness = 2.25 * normal.stiffness * arm * arm;
         Vector3 const spin = rolling_spin(contact);
         Vector3 const trial =
-            turned_into_plane(vectors[0], contact.normal) - (stiffness * contact.time_step) * spin;
+            turned_into_plane(history.vectors[0], contact.normal) - (stiffness * contact.time_step) * spin;
         double const limit = arm * normal.limit;
         double const share = share_within(norm(trial), limit);
         double const viscous =
             (share < 1 ? 0.0 : -2 * damping_) * std::sqrt(contact.rolling_inertia * stiffness);
-        vectors[0] = share * trial;
-        return {vectors[0], viscous * spin, spring_energy(norm_squared(vectors[0]), stiffness)};
+        history.vectors[0] = share * trial;
+        return {history.vectors[0], viscous * spin,
+                spring_energy(norm_squared(history.vectors[0]), stiffness)};
     }
 
   private:

@@ -6,7 +6,7 @@ namespace demens::contact {
 
 //! Elastic-plastic spring with the stiffness of the tangential contact, k_r = S_t R*^2, S_t = 8 G* sqrt(R*
 //! d), and no dashpot; the limit is that of `epsd` (Iwashita and Oda 1998; Wensrich and Katterfeld 2012).
-class Epsd2Rolling
+class Epsd2Rolling : public LawTraits
 {
   public:
     //! Spring torque of the previous step [N m].
@@ -19,14 +19,15 @@ class Epsd2Rolling
     }
 
     DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
-                                                        NormalResponse const& normal, Vector3* vectors) const
+                                                        NormalResponse const& normal,
+                                                        History const& history) const
     {
         double const radius = contact.effective_radius;
         double const stiffness = 8 * shear_modulus_ * contact.contact_radius * radius * radius;
-        Vector3 const trial = turned_into_plane(vectors[0], contact.normal) -
+        Vector3 const trial = turned_into_plane(history.vectors[0], contact.normal) -
                               (stiffness * contact.time_step) * rolling_spin(contact);
-        vectors[0] = share_within(norm(trial), coefficient_ * radius * normal.limit) * trial;
-        return {vectors[0], {}, spring_energy(norm_squared(vectors[0]), stiffness)};
+        history.vectors[0] = share_within(norm(trial), coefficient_ * radius * normal.limit) * trial;
+        return {history.vectors[0], {}, spring_energy(norm_squared(history.vectors[0]), stiffness)};
     }
 
   private:

@@ -9,15 +9,13 @@ namespace demens::contact {
 //! rolling of one contact within a step: all contacts of a particle together, which meet its own moment of
 //! inertia only (2/7 of that about a contact), must not turn its spin round. A bed locked by this law would
 //! else gain energy.
-class ViscousRolling
+class ViscousRolling : public LawTraits
 {
   public:
-    static constexpr int state_vectors = 0;
-
     ViscousRolling(PairMaterial const&, PairProperties const& pair) : viscosity_(pair.rolling_viscosity) {}
 
     DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
-                                                        NormalResponse const& normal, Vector3*) const
+                                                        NormalResponse const& normal, History const&) const
     {
         double const resisting = viscosity_ * normal.limit * contact.effective_radius;
         double const stopping = contact.rolling_inertia / (16 * contact.time_step);

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 namespace demens::contact {
 
 //! Linear spring with a Coulomb limit, F_t = F_t,old - K_t ds_t (Moncada et al. 2023, eq. 3-4); K_t is a
 //! ratio of the normal stiffness.
-class LinearCoulombTangential
+class LinearCoulombTangential : public LawTraits
 {
   public:
     //! Sliding (0 or 1), force of the previous step [N].
@@ -22,14 +21,14 @@ class LinearCoulombTangential
     }
 
     DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
-                                                        NormalResponse const& normal, double* scalars,
-                                                        Vector3* vectors) const
+                                                        NormalResponse const& normal,
+                                                        History const& history) const
     {
         double const stiffness = stiffness_ratio_ * normal.stiffness;
-        Vector3 const trial = turned_into_plane(vectors[0], contact.normal) -
+        Vector3 const trial = turned_into_plane(history.vectors[0], contact.normal) -
                               (stiffness * contact.time_step) * contact.tangent_velocity;
-        vectors[0] = friction_.limit(norm(trial), normal.limit, scalars[0]) * trial;
-        return {vectors[0], {}, spring_energy(norm_squared(vectors[0]), stiffness)};
+        history.vectors[0] = friction_.limit(norm(trial), normal.limit, history.scalars[0]) * trial;
+        return {history.vectors[0], {}, spring_energy(norm_squared(history.vectors[0]), stiffness)};
     }
 
   private:

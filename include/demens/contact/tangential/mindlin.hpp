@@ -1,7 +1,6 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 namespace demens::contact {
 
@@ -9,7 +8,7 @@ namespace demens::contact {
 //! Coulomb limit, at which s is scaled back, and the damping 2 sqrt(5/6) beta sqrt(S_t m*) v_t while it
 //! sticks (Mindlin 1949; Tsuji et al. 1992). The stiffness follows the overlap while s stays, which creates
 //! energy in loading: `mindlin_rescale` does not.
-class MindlinTangential
+class MindlinTangential : public LawTraits
 {
   public:
     //! Sliding (0 or 1), tangential displacement [m].
@@ -25,16 +24,17 @@ class MindlinTangential
     }
 
     DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
-                                                        NormalResponse const& normal, double* scalars,
-                                                        Vector3* vectors) const
+                                                        NormalResponse const& normal,
+                                                        History const& history) const
     {
         double const stiffness = 8 * shear_modulus_ * contact.contact_radius;
-        Vector3 const trial =
-            turned_into_plane(vectors[0], contact.normal) + contact.time_step * contact.tangent_velocity;
-        vectors[0] = friction_.limit(stiffness * norm(trial), normal.limit, scalars[0]) * trial;
-        double const viscous = (1 - scalars[0]) * damping_ * contact.damping_scale;
-        return {-stiffness * vectors[0], viscous * contact.tangent_velocity,
-                0.5 * stiffness * norm_squared(vectors[0])};
+        Vector3 const trial = turned_into_plane(history.vectors[0], contact.normal) +
+                              contact.time_step * contact.tangent_velocity;
+        history.vectors[0] =
+            friction_.limit(stiffness * norm(trial), normal.limit, history.scalars[0]) * trial;
+        double const viscous = (1 - history.scalars[0]) * damping_ * contact.damping_scale;
+        return {-stiffness * history.vectors[0], viscous * contact.tangent_velocity,
+                0.5 * stiffness * norm_squared(history.vectors[0])};
     }
 
   private:

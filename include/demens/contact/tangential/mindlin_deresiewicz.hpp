@@ -1,7 +1,6 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 namespace demens::contact {
 
@@ -9,7 +8,7 @@ namespace demens::contact {
 //! s_max = mu (2 - nu)/(2 (1 - nu)) d = mu E*/(4 G*) d, and the damping of Mindlin's law while it sticks
 //! (Mindlin and Deresiewicz 1953; Langston et al. 1995). A contact that slides is held where this curve of
 //! static friction passes the kinetic force.
-class MindlinDeresiewiczTangential
+class MindlinDeresiewiczTangential : public LawTraits
 {
   public:
     //! Sliding (0 or 1), tangential displacement [m].
@@ -27,21 +26,21 @@ class MindlinDeresiewiczTangential
     }
 
     DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
-                                                        NormalResponse const& normal, double* scalars,
-                                                        Vector3* vectors) const
+                                                        NormalResponse const& normal,
+                                                        History const& history) const
     {
         double const largest = largest_per_overlap_ * contact.overlap;
-        Vector3 const trial =
-            turned_into_plane(vectors[0], contact.normal) + contact.time_step * contact.tangent_velocity;
+        Vector3 const trial = turned_into_plane(history.vectors[0], contact.normal) +
+                              contact.time_step * contact.tangent_velocity;
         double const size = norm(trial);
-        double const share = slip_.limit(size, largest, scalars[0]);
-        vectors[0] = share * trial;
+        double const share = slip_.limit(size, largest, history.scalars[0]);
+        history.vectors[0] = share * trial;
         double const slid = share * size / (largest > 1e-300 ? largest : 1e-300);
         double const left = slid < 1 ? 1 - slid : 0.0;
         double const root = std::sqrt(left);
         double const force = friction_ * normal.limit * (1 - left * root);
-        double const viscous = (1 - scalars[0]) * damping_ * contact.damping_scale;
-        return {-force / (share * size > 1e-300 ? share * size : 1e-300) * vectors[0],
+        double const viscous = (1 - history.scalars[0]) * damping_ * contact.damping_scale;
+        return {-force / (share * size > 1e-300 ? share * size : 1e-300) * history.vectors[0],
                 viscous * contact.tangent_velocity,
                 friction_ * normal.limit * largest * (slid - 0.4 * (1 - left * left * root))};
     }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "demens/contact/kinematics.hpp"
-#include "demens/contact/pair_material.hpp"
+#include "demens/contact/law_traits.hpp"
 
 namespace demens::contact {
 
@@ -9,7 +8,7 @@ namespace demens::contact {
 //! and the damping 2 sqrt(5/6) beta sqrt(S_t m*) v_t while it sticks (Mindlin 1949; Tsuji et al. 1992). In
 //! unloading the stored force shrinks with the contact radius, sqrt(d/d_old), so that an oblique impact
 //! creates no energy (Thornton et al. 2013).
-class MindlinRescaleTangential
+class MindlinRescaleTangential : public LawTraits
 {
   public:
     //! Sliding (0 or 1), overlap of the previous step [m], elastic force of the previous step [N].
@@ -26,11 +25,11 @@ class MindlinRescaleTangential
     }
 
     DEMENS_INLINE DEMENS_FUNCTION Resistance operator()(ContactKinematics const& contact,
-                                                        NormalResponse const& normal, double* scalars,
-                                                        Vector3* vectors) const
+                                                        NormalResponse const& normal,
+                                                        History const& history) const
     {
         double const stiffness = 8 * shear_modulus_ * contact.contact_radius;
-        double const old_overlap = scalars[1];
+        double const old_overlap = history.scalars[1];
         bool const unloads = contact.overlap < old_overlap;
         double const larger = unloads ? old_overlap : contact.overlap;
         double const smaller = unloads ? contact.overlap : old_overlap;
@@ -39,13 +38,13 @@ class MindlinRescaleTangential
         // In loading the stiffness of the middle of the step, in unloading that to which the force has
         // shrunk.
         double const mean = unloads ? stiffness : 0.5 * stiffness * (1 + ratio);
-        Vector3 const trial = shrink * turned_into_plane(vectors[0], contact.normal) -
+        Vector3 const trial = shrink * turned_into_plane(history.vectors[0], contact.normal) -
                               (mean * contact.time_step) * contact.tangent_velocity;
-        vectors[0] = friction_.limit(norm(trial), normal.limit, scalars[0]) * trial;
-        scalars[1] = contact.overlap;
-        double const viscous = (1 - scalars[0]) * damping_ * contact.damping_scale;
-        return {vectors[0], viscous * contact.tangent_velocity,
-                spring_energy(norm_squared(vectors[0]), stiffness)};
+        history.vectors[0] = friction_.limit(norm(trial), normal.limit, history.scalars[0]) * trial;
+        history.scalars[1] = contact.overlap;
+        double const viscous = (1 - history.scalars[0]) * damping_ * contact.damping_scale;
+        return {history.vectors[0], viscous * contact.tangent_velocity,
+                spring_energy(norm_squared(history.vectors[0]), stiffness)};
     }
 
   private:

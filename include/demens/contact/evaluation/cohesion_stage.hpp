@@ -1,0 +1,44 @@
+#pragma once
+
+#include "demens/contact/evaluation/history_access.hpp"
+#include "demens/contact/law_traits.hpp"
+
+namespace demens::contact {
+
+//! Attraction. The ledger keeps its potential [J] after the law's scalars.
+template <class Law, bool ledger>
+struct CohesionStage
+{
+    static_assert(Law::state_vectors == 0, "a force along the normal remembers no direction");
+    static constexpr int scalars = Law::state_scalars + (ledger ? 1 : 0);
+    static constexpr int vectors = 0;
+
+    Law law;
+    int scalars_at;        //!< where its history begins
+    double share_in_limit; //!< of the force in the limit of friction and rolling: 0 or 1
+
+    struct Result
+    {
+        double force; //!< along the normal on i [N]
+        double limit; //!< of friction and rolling [N]
+        double lost;  //!< to bonds that form or break [J]; with the ledger
+    };
+
+    //! `load` is what the normal stage has made.
+    template <class State>
+    DEMENS_INLINE DEMENS_FUNCTION Result operator()(ContactKinematics const& contact,
+                                                    NormalResponse const& load, State const& state) const
+    {
+        constexpr int n = Law::state_scalars;
+        double own[n + 1];
+        load_scalars<n>(state, scalars_at, own);
+        CohesionResponse const response = law(contact, load, {own, nullptr});
+        store_scalars<n>(state, scalars_at, own);
+        if constexpr (ledger)
+            state[scalars_at + n] = response.stored;
+        double const limit = load.limit + share_in_limit * response.force;
+        return {response.force, limit > 0 ? limit : 0.0, ledger ? response.lost : 0.0};
+    }
+};
+
+} // namespace demens::contact
