@@ -106,9 +106,9 @@ bool maps_onto_itself(WallShape const& shape, WallMotion const& motion)
 } // namespace
 
 MovedWall::MovedWall(Wall const& at_first, std::vector<WallMotion> motions, double now)
-    : shape_(at_first.shape), pivot_(at_first.pivot), motions_(std::move(motions))
+    : parts_{at_first.shape, at_first.pivot, std::move(motions)}
 {
-    for (WallMotion& motion : motions_) {
+    for (WallMotion& motion : parts_.motions) {
         if (!(motion.end >= motion.start))
             throw InputError(fmt::format("a wall's motion ends at {} s, before its start at {} s", motion.end,
                                          motion.start));
@@ -125,18 +125,20 @@ MovedWall::MovedWall(Wall const& at_first, std::vector<WallMotion> motions, doub
         motion.start = std::max(motion.start, now);
         motion.end = std::max(motion.end, now);
     }
-    while (spinning_ < motions_.size() && maps_onto_itself(shape_, motions_[spinning_]))
-        ++spinning_;
+    auto& spinning = parts_.spinning;
+    while (spinning < parts_.motions.size() && maps_onto_itself(parts_.shape, parts_.motions[spinning]))
+        ++spinning;
 }
 
 void MovedWall::move(Wall& wall, double time, double velocity_time) const
 {
+    auto const& [shape, pivot, motions, spinning] = parts_;
     Placement place;
     Twist total{};
     Vector3 belt;
-    for (std::size_t k = 0; k < motions_.size(); ++k) {
-        WallMotion const& motion = motions_[k];
-        if (k >= spinning_)
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+        WallMotion const& motion = motions[k];
+        if (k >= spinning)
             place = std::visit(PlacementAfter{time_into(motion, time)}, motion.law) * place;
         // What the motions before have given turns along with this one.
         double const since = time_into(motion, velocity_time);
@@ -151,8 +153,8 @@ void MovedWall::move(Wall& wall, double time, double velocity_time) const
         if (auto const* convey = std::get_if<Convey>(&motion.law))
             belt += convey->velocity;
     }
-    wall.shape = spinning_ < motions_.size() ? placed(shape_, place) : shape_;
-    wall.pivot = place(pivot_);
+    wall.shape = spinning < motions.size() ? placed(shape, place) : shape;
+    wall.pivot = place(pivot);
     wall.velocity = total.at_origin + cross(total.spin, wall.pivot);
     wall.spin = total.spin;
     wall.belt = belt;

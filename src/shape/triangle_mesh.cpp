@@ -95,39 +95,80 @@ TriangleMesh::TriangleMesh(TriangleSoup const& soup) : tree_({})
     for (auto const& triangle : soup)
         for (Vector3 const& p : triangle)
             bounds_.include(p);
-    centre_ = 0.5 * (bounds_.lower + bounds_.upper);
-    add_facets(soup);
+    join(soup);
     if (facets_.empty())
         throw InputError(fmt::format("none of the mesh's {} triangles has an area", soup.size()));
+    complete();
+}
+
+TriangleMesh TriangleMesh::from_parts(Parts const& parts)
+{
+    TriangleMesh mesh;
+    mesh.bounds_ = parts.bounds;
+    mesh.vertices_ = parts.vertices;
+    if (parts.triangles.empty())
+        throw InputError("the mesh has no triangles");
+    for (auto const& triangle : parts.triangles) {
+        for (auto const vertex : triangle)
+            if (vertex >= mesh.vertices_.size())
+                throw InputError(fmt::format("a triangle of the mesh names the vertex {} of {}", vertex,
+                                             mesh.vertices_.size()));
+        mesh.add_facet(triangle);
+    }
+    mesh.complete();
+    return mesh;
+}
+
+TriangleMesh::Parts TriangleMesh::parts() const
+{
+    Parts parts{vertices_, {}, bounds_};
+    for (Facet const& facet : facets_)
+        parts.triangles.push_back(facet.vertices);
+    return parts;
+}
+
+void TriangleMesh::complete()
+{
+    centre_ = 0.5 * (bounds_.lower + bounds_.upper);
     for (Vector3 const& p : vertices_)
         extent_ = std::max(extent_, norm(p - centre_));
     find_edges();
     tree_ = TriangleTree(facet_bounds());
 }
 
-void TriangleMesh::add_facets(TriangleSoup const& soup)
+void TriangleMesh::join(TriangleSoup const& soup)
 {
     double const tolerance = std::max(1e-6 * norm(bounds_.upper - bounds_.lower), 1e-300);
     Welder welder(bounds_.lower, tolerance);
+    std::vector<std::array<std::uint32_t, 3>> with_area;
     for (auto const& triangle : soup) {
         std::array<std::uint32_t, 3> const vertices = {
             welder.vertex_at(triangle[0]), welder.vertex_at(triangle[1]), welder.vertex_at(triangle[2])};
         Vector3 const corner = welder.vertices[vertices[0]];
         Vector3 const side_1 = welder.vertices[vertices[1]] - corner;
         Vector3 const side_2 = welder.vertices[vertices[2]] - corner;
-        Vector3 const across = cross(side_1, side_2);
         double const longest =
             std::sqrt(std::max({norm_squared(side_1), norm_squared(side_2), norm_squared(side_2 - side_1)}));
-        if (norm(across) <= tolerance * longest) { // lower than the tolerance
+        if (norm(cross(side_1, side_2)) <= tolerance * longest) { // lower than the tolerance
             if (faults_.degenerate++ == 0)
                 faults_.first_degenerate = corner;
             continue;
         }
-        double const d11 = norm_squared(side_1), d12 = dot(side_1, side_2), d22 = norm_squared(side_2);
-        facets_.push_back({corner, across / norm(across), side_1, side_2, d11, d12, d22,
-                           1 / (d11 * d22 - d12 * d12), vertices});
+        with_area.push_back(vertices);
     }
     vertices_ = std::move(welder.vertices);
+    for (auto const& vertices : with_area)
+        add_facet(vertices);
+}
+
+void TriangleMesh::add_facet(std::array<std::uint32_t, 3> const& vertices)
+{
+    Vector3 const corner = vertices_[vertices[0]];
+    Vector3 const side_1 = vertices_[vertices[1]] - corner, side_2 = vertices_[vertices[2]] - corner;
+    Vector3 const across = cross(side_1, side_2);
+    double const d11 = norm_squared(side_1), d12 = dot(side_1, side_2), d22 = norm_squared(side_2);
+    facets_.push_back({corner, across / norm(across), side_1, side_2, d11, d12, d22,
+                       1 / (d11 * d22 - d12 * d12), vertices});
 }
 
 void TriangleMesh::find_edges()

@@ -38,11 +38,10 @@ void neighbour_build(benchmark::State& state)
     auto particles = lattice(static_cast<int>(state.range(0)));
     dem::NeighbourSearch search(1, {0});
     contact::Model const model = bench::powder("none");
-    auto const layout = contact::state_layout({model.materials[0], model.materials[0], model.pairs[0]}, false);
-    std::vector<dem::ContactList> lists(2);
-    for (auto& list : lists)
-        list.state_size = layout.size, list.state_scalars = layout.scalars;
-    lists[1].with_wall = true;
+    auto const layout =
+        contact::state_layout({model.materials[0], model.materials[0], model.pairs[0]}, false);
+    dem::ContactLists lists;
+    lists.add_law_set(layout.size, layout.scalars, false);
     for (auto _ : state)
         search.rebuild(particles, {}, {0.4e-3, 0.1e-3}, lists);
     state.counters["time/particle"] =

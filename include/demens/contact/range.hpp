@@ -10,6 +10,8 @@ struct Range
 
     //! For bodies that touched, or were within range, in the step before [m].
     double reach(bool touched) const { return touched || !needs_contact ? gap : 0.0; }
+
+    friend bool operator==(Range const&, Range const&) = default;
 };
 
 } // namespace demens::contact

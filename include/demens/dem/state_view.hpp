@@ -1,5 +1,6 @@
 #pragma once
 
+#include "demens/base/contract.hpp"
 #include "demens/dem/ids.hpp"
 #include "demens/dem/particles.hpp"
 
@@ -24,6 +25,24 @@ constexpr bool includes(Fields all, Fields some)
     return (static_cast<unsigned>(all) & static_cast<unsigned>(some)) == static_cast<unsigned>(some);
 }
 
+//! Brings velocities, which records keep half a step behind the place, to the time of it.
+struct CatchUp
+{
+    double duration; //!< half a step [s]; 0: they are there, before the first step
+    Vector3 gravity; //!< [m/s^2]
+
+    Vector3 velocity(Motion const& m, Load const& l) const
+    {
+        Vector3 const behind{m.vx, m.vy, m.vz};
+        return duration > 0 ? behind + duration * (Vector3{l.fx, l.fy, l.fz} / m.mass + gravity) : behind;
+    }
+    Vector3 spin(Motion const& m, Load const& l) const
+    {
+        Vector3 const behind{m.wx, m.wy, m.wz};
+        return duration > 0 ? behind + duration * (Vector3{l.tx, l.ty, l.tz} / m.inertia) : behind;
+    }
+};
+
 //! The particles as they were when they were read, in the order of the engine. Valid until the simulation
 //! changes or is read again.
 class StateView
@@ -37,19 +56,19 @@ class StateView
         std::span<Load const> load;
         std::span<std::uint32_t const> material, id;
     };
-    //! What brings the velocities of the records to the time of the places.
-    struct Kick
+    StateView(Records const& records, Fields read, CatchUp const& catch_up)
+        : records_(records), read_(read), catch_up_(catch_up)
     {
-        double duration; //!< [s]; 0: they are there
-        Vector3 gravity; //!< [m/s^2]
-    };
-
-    StateView(Records const& records, Kick const& kick) : records_(records), kick_(kick) {}
+    }
 
     std::size_t size() const { return records_.place.size(); }
     std::span<Place const> places() const { return records_.place; }
 
-    Place const& place(std::size_t k) const { return records_.place[k]; }
+    Place const& place(std::size_t k) const
+    {
+        DEMENS_EXPECT(k < size(), "a particle that there is");
+        return records_.place[k];
+    }
     Vector3 position(std::size_t k) const { return {place(k).x, place(k).y, place(k).z}; } //!< [m]
     double radius(std::size_t k) const { return place(k).radius; }                         //!< [m]
     double mass(std::size_t k) const { return records_.motion[k].mass; }                   //!< [kg]
@@ -60,33 +79,34 @@ class StateView
     //! At the time of the place [m/s].
     Vector3 velocity(std::size_t k) const
     {
-        Motion const& m = records_.motion[k];
-        Vector3 const behind{m.vx, m.vy, m.vz};
-        return kick_.duration > 0 ? behind + kick_.duration * (force(k) / m.mass + kick_.gravity) : behind;
+        DEMENS_EXPECT(includes(read_, Fields::motions) && k < size(), "motions were read");
+        return catch_up_.velocity(records_.motion[k], records_.load[k]);
     }
     //! At the time of the place [rad/s].
     Vector3 spin(std::size_t k) const
     {
-        Motion const& m = records_.motion[k];
-        Vector3 const behind{m.wx, m.wy, m.wz};
-        return kick_.duration > 0 ? behind + kick_.duration * (torque(k) / m.inertia) : behind;
+        DEMENS_EXPECT(includes(read_, Fields::motions) && k < size(), "motions were read");
+        return catch_up_.spin(records_.motion[k], records_.load[k]);
     }
     //! Of the contacts; gravity is not in it [N].
     Vector3 force(std::size_t k) const
     {
+        DEMENS_EXPECT(includes(read_, Fields::loads) && k < size(), "loads were read");
         Load const& l = records_.load[k];
         return {l.fx, l.fy, l.fz};
     }
     //! Of the contacts [N m].
     Vector3 torque(std::size_t k) const
     {
+        DEMENS_EXPECT(includes(read_, Fields::loads) && k < size(), "loads were read");
         Load const& l = records_.load[k];
         return {l.tx, l.ty, l.tz};
     }
 
   private:
     Records records_;
-    Kick kick_;
+    Fields read_;
+    CatchUp catch_up_;
 };
 
 } // namespace demens::dem

@@ -59,6 +59,16 @@ struct WallMotion
 class MovedWall
 {
   public:
+    //! What it consists of, to be stored.
+    struct Parts
+    {
+        WallShape shape; //!< where the wall stood at first
+        Vector3 pivot;
+        std::vector<WallMotion> motions;
+        std::size_t spinning =
+            0; //!< so many of the first motions map the shape onto itself: they do not move it
+    };
+    explicit MovedWall(Parts parts) : parts_(std::move(parts)) {}
     //! Motions that should have started before `now` [s] start then. \throws InputError for an axis of no
     //! length, a negative frequency or an end before the start.
     MovedWall(Wall const& at_first, std::vector<WallMotion> motions, double now = 0);
@@ -66,12 +76,10 @@ class MovedWall
     //! Puts the wall where it is at `time` [s], with its velocity, spin and belt at `velocity_time` [s].
     void move(Wall& wall, double time, double velocity_time) const;
 
+    Parts const& parts() const { return parts_; }
+
   private:
-    WallShape shape_;
-    Vector3 pivot_;
-    std::vector<WallMotion> motions_;
-    std::size_t spinning_ =
-        0; //!< so many of the first motions map the shape onto itself: they do not move it
+    Parts parts_;
 };
 
 } // namespace demens::dem

@@ -42,6 +42,17 @@ class TriangleMesh
     //! area. \throws InputError where a number is not finite or nothing is left.
     explicit TriangleMesh(TriangleSoup const& soup);
 
+    //! What a mesh is made of once corners are joined, to be stored.
+    struct Parts
+    {
+        std::vector<Vector3> vertices;
+        std::vector<std::array<std::uint32_t, 3>> triangles; //!< numbers of vertices; all with an area
+        Bounds bounds;                                       //!< of what was joined
+    };
+    Parts parts() const;
+    //! The same mesh again, to the bit. \throws InputError where the parts do not make one.
+    static TriangleMesh from_parts(Parts const& parts);
+
     std::vector<Vector3> const& vertices() const { return vertices_; }
     std::vector<Facet> const& facets() const { return facets_; }
     std::vector<MeshEdge> const& edges() const { return edges_; }
@@ -53,7 +64,10 @@ class TriangleMesh
     MeshFaults const& faults() const { return faults_; }
 
   private:
-    void add_facets(TriangleSoup const& soup);
+    TriangleMesh() : tree_({}) {}
+    void join(TriangleSoup const& soup);
+    void add_facet(std::array<std::uint32_t, 3> const& vertices);
+    void complete();
     void find_edges();
     std::vector<Bounds> facet_bounds() const;
 

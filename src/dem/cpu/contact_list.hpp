@@ -45,17 +45,24 @@ struct CandidatePair
     std::uint32_t first, second;
 };
 
-//! Contacts of one kind (same materials, hence same laws), with their history.
+//! What meets in a contact.
+enum class ContactKind : std::uint8_t
+{
+    pair,  //!< two particles of this process
+    wall,  //!< a particle and a wall
+    ghost, //!< a particle of this process and one of another
+};
+
+//! Contacts of the same materials, hence laws, with their history.
 //!
 //! Pairs of particles are found in two stages: the candidates are all that may touch before the next rebuild;
 //! the contacts are those of them that are near, in the same order, and are found anew more often. Histories
 //! thus lie side by side. With walls every pair of the list is a contact.
 struct ContactList
 {
-    std::uint32_t interaction = 0; //!< index of the law set
-    bool with_wall = false;        //!< `second` is a wall, not a particle
-    bool with_ghost = false;       //!< one of the two is a particle of another process
-    int state_size = 0;            //!< doubles of history per pair: scalars, then vectors
+    std::uint32_t interaction = 0;        //!< index of the law set
+    ContactKind kind = ContactKind::pair; //!< of a wall: `second` is a wall, not a particle
+    int state_size = 0;                   //!< doubles of history per pair: scalars, then vectors
     int state_scalars = 0; //!< how many of them are scalars; vectors change sign when a pair is reversed
 
     std::vector<CandidatePair> candidates{}; //!< empty with walls
@@ -87,7 +94,7 @@ struct ContactList
         second.push_back(j);
         touching.push_back(0);
         state.resize(state.size() + static_cast<std::size_t>(state_size), 0.0);
-        if (with_wall)
+        if (kind == ContactKind::wall)
             offset.push_back({});
     }
 };
@@ -95,7 +102,49 @@ struct ContactList
 //! Part of a list's contacts that belongs to this process: those with ghosts are half the other's.
 inline double share_of(ContactList const& list)
 {
-    return list.with_ghost ? 0.5 : 1.0;
+    return list.kind == ContactKind::ghost ? 0.5 : 1.0;
 }
+
+//! All contacts of a process: of each kind a list for each law set, by its number.
+struct ContactLists
+{
+    std::vector<ContactList> pairs = {}, walls = {};
+    std::vector<ContactList> ghosts = {}; //!< none where one process has all particles
+
+    std::vector<ContactList>& of(ContactKind kind)
+    {
+        return kind == ContactKind::pair ? pairs : kind == ContactKind::wall ? walls : ghosts;
+    }
+    std::vector<ContactList> const& of(ContactKind kind) const
+    {
+        return const_cast<ContactLists&>(*this).of(kind);
+    }
+    //! In the order in which they are evaluated.
+    template <class Visit>
+    void for_each(Visit&& visit)
+    {
+        for (auto* lists : {&pairs, &walls, &ghosts})
+            for (ContactList& list : *lists)
+                visit(list);
+    }
+    template <class Visit>
+    void for_each(Visit&& visit) const
+    {
+        for (auto const* lists : {&pairs, &walls, &ghosts})
+            for (ContactList const& list : *lists)
+                visit(list);
+    }
+    //! Adds empty lists of the next law set.
+    void add_law_set(int state_size, int state_scalars, bool with_ghosts)
+    {
+        auto const number = static_cast<std::uint32_t>(pairs.size());
+        for (ContactKind const kind : {ContactKind::pair, ContactKind::wall, ContactKind::ghost})
+            if (kind != ContactKind::ghost || with_ghosts)
+                of(kind).push_back({.interaction = number,
+                                    .kind = kind,
+                                    .state_size = state_size,
+                                    .state_scalars = state_scalars});
+    }
+};
 
 } // namespace demens::dem

@@ -7,17 +7,12 @@
 namespace demens::dem {
 
 void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& walls,
-                              NeighbourReach const& reach, std::vector<ContactList>& lists)
+                              NeighbourReach const& reach, ContactLists& contacts)
 {
     CellGrid const grid(particles.place, reach.candidates, periods_);
     sort_into_cells(particles, grid);
-    index_old_contacts(particles.size(), lists);
-    old_lists_.resize(lists.size());
-    for (std::size_t k = 0; k < lists.size(); ++k) {
-        std::swap(old_lists_[k].state, lists[k].state);
-        std::swap(old_lists_[k].offset, lists[k].offset);
-        lists[k].clear();
-    }
+    index_old_contacts(particles.size(), contacts);
+    set_histories_aside(contacts);
     large_.clear();
     for (std::uint32_t i = 0; i < particles.owned(); ++i)
         if (particles.place[i].radius > grid.regular_radius())
@@ -27,14 +22,12 @@ void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& wal
                                                   : &NeighbourSearch::find_pairs<true, false>)
                                      : (has_large ? &NeighbourSearch::find_pairs<false, true>
                                                   : &NeighbourSearch::find_pairs<false, false>);
-    (this->*find)(particles, grid, {lists.data(), reach});
+    (this->*find)(particles, grid, {contacts.pairs.data(), reach});
     if (has_large)
-        find_pairs_of_large(particles, grid, {lists.data(), reach});
-    find_wall_contacts(particles, walls, reach.candidates, lists);
-    auto const of_ghosts =
-        std::find_if(lists.begin(), lists.end(), [](auto const& list) { return list.with_ghost; });
+        find_pairs_of_large(particles, grid, {contacts.pairs.data(), reach});
+    find_wall_contacts(particles, walls, reach.candidates, contacts.walls);
     if (particles.ghosts > 0)
-        find_ghost_pairs(particles, grid, {&*of_ghosts, reach});
+        find_ghost_pairs(particles, grid, {contacts.ghosts.data(), reach});
 }
 
 void NeighbourSearch::sort_into_cells(Particles& particles, CellGrid const& grid)
@@ -77,22 +70,24 @@ void NeighbourSearch::number_along_cells(Particles const& particles, CellGrid co
         new_index_[i] = next[cell_of_[i]]++;
 }
 
-void NeighbourSearch::index_old_contacts(std::size_t particles, std::vector<ContactList> const& lists)
+void NeighbourSearch::index_old_contacts(std::size_t particles, ContactLists const& contacts)
 {
     // Every touching contact is filed under the particle that will come first in its pair; wall contacts
     // under the particle.
     old_start_.assign(particles + 1, 0);
     auto const for_each_touching = [&](auto&& visit) {
-        for (std::uint32_t k = 0; k < lists.size(); ++k)
-            for (std::uint32_t s = 0; s < lists[k].size(); ++s) {
-                if (!lists[k].touching[s])
+        contacts.for_each([&](ContactList const& list) {
+            for (std::uint32_t s = 0; s < list.size(); ++s) {
+                if (!list.touching[s])
                     continue;
-                std::uint32_t const i = new_index_[lists[k].first[s]];
-                bool const wall = lists[k].with_wall;
-                std::uint32_t const j = wall ? lists[k].second[s] : new_index_[lists[k].second[s]];
+                std::uint32_t const i = new_index_[list.first[s]];
+                bool const wall = list.kind == ContactKind::wall;
+                std::uint32_t const j = wall ? list.second[s] : new_index_[list.second[s]];
                 bool const reversed = !wall && j < i;
-                visit(reversed ? j : i, OldContact{reversed ? i : j, k, s, wall, reversed});
+                visit(reversed ? j : i,
+                      OldContact{reversed ? i : j, list.interaction, s, list.kind, reversed});
             }
+        });
     };
     for_each_touching([&](std::uint32_t owner, OldContact const&) { ++old_start_[owner + 1]; });
     for (std::size_t i = 0; i < particles; ++i)
@@ -101,6 +96,19 @@ void NeighbourSearch::index_old_contacts(std::size_t particles, std::vector<Cont
     std::vector<std::uint32_t> next(old_start_.begin(), old_start_.end() - 1);
     for_each_touching(
         [&](std::uint32_t owner, OldContact const& contact) { old_contacts_[next[owner]++] = contact; });
+}
+
+void NeighbourSearch::set_histories_aside(ContactLists& contacts)
+{
+    for (ContactKind const kind : {ContactKind::pair, ContactKind::wall, ContactKind::ghost}) {
+        auto &lists = contacts.of(kind), &old = old_lists_.of(kind);
+        old.resize(lists.size());
+        for (std::size_t k = 0; k < lists.size(); ++k) {
+            std::swap(old[k].state, lists[k].state);
+            std::swap(old[k].offset, lists[k].offset);
+            lists[k].clear();
+        }
+    }
 }
 
 void NeighbourSearch::add_contact(ContactList& list, std::uint32_t i, std::uint32_t j)
@@ -126,21 +134,22 @@ void NeighbourSearch::add_patch(ContactList& list, std::uint32_t i, std::uint32_
 void NeighbourSearch::restore_histories(ContactList& list, std::size_t slot)
 {
     // A ghost may come first in its pair; contacts are filed under the other one.
-    bool const reversed = list.with_ghost && list.second[slot] < list.first[slot];
+    bool const reversed = list.kind == ContactKind::ghost && list.second[slot] < list.first[slot];
     std::uint32_t const i = reversed ? list.second[slot] : list.first[slot];
     std::uint32_t const j = reversed ? list.first[slot] : list.second[slot];
+    bool const with_wall = list.kind == ContactKind::wall;
     auto const size = static_cast<std::size_t>(list.state_size);
     for (std::uint32_t k = old_start_[i]; k < old_start_[i + 1] && slot < list.size(); ++k) {
         OldContact const& old = old_contacts_[k];
-        if (old.other != j || old.with_wall != list.with_wall)
+        if (old.other != j || (old.kind == ContactKind::wall) != with_wall)
             continue;
         list.touching[slot] = 1;
-        ContactList const& from_list = old_lists_[old.list];
+        ContactList const& from_list = old_lists_.of(old.kind)[old.list];
         double const* from = from_list.state.data() + old.slot * size;
         double* to = list.state.data() + slot * size;
         for (int c = 0; c < list.state_size; ++c)
             to[c] = old.reversed != reversed && c >= list.state_scalars ? -from[c] : from[c];
-        if (list.with_wall)
+        if (with_wall)
             list.offset[slot] = from_list.offset[old.slot];
         ++slot;
     }
@@ -237,9 +246,6 @@ void NeighbourSearch::find_ghost_pairs(Particles const& particles, CellGrid cons
 void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector<Wall> const& walls,
                                          double skin, std::vector<ContactList>& lists)
 {
-    auto const pair_lists = static_cast<std::size_t>(
-        std::find_if(lists.begin(), lists.end(), [](auto const& list) { return list.with_wall; }) -
-        lists.begin());
     for (std::uint32_t w = 0; w < walls.size(); ++w) {
         Wall const& wall = walls[w];
         if (!wall.active)
@@ -248,7 +254,7 @@ void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector
         bool const is_mesh = std::holds_alternative<Mesh>(wall.shape);
         for (std::size_t k = 0; k < found.particles.size(); ++k) {
             std::uint32_t const i = found.particles[k];
-            auto& list = lists[pair_lists + interaction_[particles.material[i] * materials_ + wall.material]];
+            auto& list = lists[interaction_[particles.material[i] * materials_ + wall.material]];
             if (is_mesh)
                 add_patch(list, i, w,
                           {found.near_triangles.data() + found.triangle_start[k],

@@ -29,12 +29,11 @@ class NeighbourSearch
     {
     }
 
-    //! Sorts the particles along the cells of a grid, ghosts after the others, and fills the lists anew: one
-    //! per interaction among particles, then one per interaction with walls, then, where there may be ghosts,
-    //! one per interaction with them. All positions must be finite, and within the periods. \throws
-    //! InputError where a period is too short for the particles.
+    //! Sorts the particles along the cells of a grid, ghosts after the others, and fills the lists anew. All
+    //! positions must be finite, and within the periods. \throws InputError where a period is too short for
+    //! the particles.
     void rebuild(Particles& particles, std::vector<Wall> const& walls, NeighbourReach const& reach,
-                 std::vector<ContactList>& lists);
+                 ContactLists& contacts);
     //! The number that each particle got at the last rebuild, by the one it had.
     std::vector<std::uint32_t> const& new_numbers() const { return new_index_; }
 
@@ -44,7 +43,8 @@ class NeighbourSearch
     {
         std::uint32_t other; //!< particle, or wall
         std::uint32_t list, slot;
-        bool with_wall, reversed;
+        ContactKind kind;
+        bool reversed;
     };
 
     //! The lists of pairs that are being filled.
@@ -58,7 +58,9 @@ class NeighbourSearch
     //! Numbers particles [from, to) along the cells.
     void number_along_cells(Particles const& particles, CellGrid const& grid, std::size_t from,
                             std::size_t to, std::vector<std::uint32_t>& cell_start);
-    void index_old_contacts(std::size_t particles, std::vector<ContactList> const& lists);
+    void index_old_contacts(std::size_t particles, ContactLists const& contacts);
+    //! Empties the lists, but keeps what histories are restored from.
+    void set_histories_aside(ContactLists& contacts);
     //! Adds a pair that is within reach.
     template <bool periodic>
     void test_pair(Particles const& particles, std::uint32_t first, std::uint32_t second, PairLists lists);
@@ -84,7 +86,7 @@ class NeighbourSearch
     std::vector<std::uint32_t> cell_of_, cell_start_, new_index_;
     std::vector<std::uint32_t> old_start_;
     std::vector<OldContact> old_contacts_;
-    std::vector<ContactList> old_lists_;
+    ContactLists old_lists_; //!< their histories
     Particles sorted_;
 };
 

@@ -123,8 +123,7 @@ TEST(Ghosts, AreTheParticlesThatMayMeetThoseOfARankAndFollowThem)
             std::vector<int> owners;
             for (auto const& place : mine.place)
                 owners.push_back(boxes.owner(place));
-            std::vector<dem::ContactList> none(2);
-            none[1].with_wall = true;
+            dem::ContactLists none;
             dem::Migration migration(team, none, mine.size(), {});
             migration.move(mine, owners);
             std::size_t const owned = mine.size();
@@ -190,10 +189,8 @@ TEST(Migration, HistoriesArriveOnceWhereTheirParticlesAre)
                         for (std::uint32_t const id : {0u, 1u})
                             if (from[id] != team.rank() && owned == 1)
                                 ghosts.push_back(id);
-                        std::vector<dem::ContactList> lists(3);
-                        lists[1].with_wall = lists[2].with_ghost = true;
-                        for (auto& list : lists)
-                            list.state_size = 4;
+                        dem::ContactLists lists;
+                        lists.add_law_set(4, 0, true);
                         auto const number = [&](std::uint32_t id) {
                             for (std::uint32_t k = 0; k < owned; ++k)
                                 if (particles.id[k] == id)
@@ -201,16 +198,17 @@ TEST(Migration, HistoriesArriveOnceWhereTheirParticlesAre)
                             return static_cast<std::uint32_t>(owned);
                         };
                         if (owned > 0) {
-                            auto& list = lists[owned == 2 ? 0 : 2];
+                            auto& list = (owned == 2 ? lists.pairs : lists.ghosts)[0];
                             list.add(number(0), number(1));
                             list.touching[0] = 1;
                             list.state = {1, 2, 3, 4};
                         }
                         if (from[0] == team.rank()) {
-                            lists[1].add(number(0), 9);
-                            lists[1].touching[0] = 1;
-                            lists[1].state = {5, 6, 7, 8};
-                            lists[1].offset[0] = {1, 2, 3};
+                            auto& list = lists.walls[0];
+                            list.add(number(0), 9);
+                            list.touching[0] = 1;
+                            list.state = {5, 6, 7, 8};
+                            list.offset[0] = {1, 2, 3};
                         }
                         dem::Migration migration(team, lists, owned, ghosts);
                         migration.move(particles, owners);
@@ -223,17 +221,19 @@ TEST(Migration, HistoriesArriveOnceWhereTheirParticlesAre)
                             }
                         migration.renumber(particles);
                         int pairs = 0, walls = 0;
-                        for (auto const& list : lists)
+                        lists.for_each([&](dem::ContactList const& list) {
+                            bool const with_wall = list.kind == dem::ContactKind::wall;
                             for (std::size_t s = 0; s < list.size(); ++s) {
                                 if (!list.touching[s])
                                     continue;
-                                (list.with_wall ? walls : pairs) += 1;
+                                (with_wall ? walls : pairs) += 1;
                                 EXPECT_EQ(particles.id[list.first[s]], 0u);
-                                EXPECT_EQ(list.with_wall ? 9u : 1u,
-                                          list.with_wall ? list.second[s] : particles.id[list.second[s]]);
-                                EXPECT_EQ(list.state[4 * s + 3], list.with_wall ? 8 : 4);
-                                EXPECT_TRUE(!list.with_wall || list.offset[s].z == 3);
+                                EXPECT_EQ(with_wall ? 9u : 1u,
+                                          with_wall ? list.second[s] : particles.id[list.second[s]]);
+                                EXPECT_EQ(list.state[4 * s + 3], with_wall ? 8 : 4);
+                                EXPECT_TRUE(!with_wall || list.offset[s].z == 3);
                             }
+                        });
                         EXPECT_EQ(pairs, now > 0 ? 1 : 0) << from_0 << from_1 << to_0 << to_1;
                         EXPECT_EQ(walls, to_0 == team.rank() ? 1 : 0);
                     });

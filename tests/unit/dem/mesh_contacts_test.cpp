@@ -186,7 +186,7 @@ TEST(MeshContacts, FacetsOfAHollowFollowEachOtherWithoutAJump)
 
 TEST(MeshContacts, SlotsKeepTheHistoryOfTheContactWithTheNearestNormal)
 {
-    dem::ContactList list{.with_wall = true, .state_size = 4};
+    dem::ContactList list{.kind = dem::ContactKind::wall, .state_size = 4};
     for (int k = 0; k < 3; ++k)
         list.add(0, 0);
     dem::MeshPatch const patch{0, 3, 0, 3, dem::MeshPatch::always};

@@ -1,6 +1,8 @@
 // Neighbour lists against all pairs, and histories across rebuilds.
 #include "demens/base/random.hpp"
 #include "demens/dem/simulation.hpp"
+#include "src/dem/cpu/contact_renewal.hpp"
+#include "src/dem/cpu/neighbours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,12 +32,11 @@ dem::Particles random_particles(std::size_t count, double side, std::uint64_t se
 
 //! Four law sets for two materials, each with histories of one scalar and one vector; with walls the same
 //! again.
-std::vector<dem::ContactList> empty_lists()
+dem::ContactLists empty_lists()
 {
-    std::vector<dem::ContactList> lists;
-    for (bool const with_wall : {false, true})
-        for (std::uint32_t k = 0; k < 4; ++k)
-            lists.push_back({.interaction = k, .with_wall = with_wall, .state_size = 4, .state_scalars = 1});
+    dem::ContactLists lists;
+    for (int k = 0; k < 4; ++k)
+        lists.add_law_set(4, 1, false);
     return lists;
 }
 
@@ -52,8 +53,8 @@ TEST(Neighbours, ListsHoldEachNearPairOnceUnderItsMaterials)
 
         std::set<Pair> found;
         for (std::size_t k = 0; k < 4; ++k)
-            for (std::size_t s = 0; s < lists[k].size(); ++s) {
-                std::uint32_t const i = lists[k].first[s], j = lists[k].second[s];
+            for (std::size_t s = 0; s < lists.pairs[k].size(); ++s) {
+                std::uint32_t const i = lists.pairs[k].first[s], j = lists.pairs[k].second[s];
                 EXPECT_EQ(k, particles.material[i] * 2 + particles.material[j]);
                 EXPECT_TRUE(found.insert(std::minmax(particles.id[i], particles.id[j])).second);
             }
@@ -85,8 +86,8 @@ TEST(Neighbours, SizesFarApartFindTheSamePairs)
             search.rebuild(particles, {}, {skin, skin}, lists);
             std::set<Pair> found;
             for (std::size_t k = 0; k < 4; ++k)
-                for (std::size_t s = 0; s < lists[k].size(); ++s) {
-                    std::uint32_t const i = lists[k].first[s], j = lists[k].second[s];
+                for (std::size_t s = 0; s < lists.pairs[k].size(); ++s) {
+                    std::uint32_t const i = lists.pairs[k].first[s], j = lists.pairs[k].second[s];
                     EXPECT_LT(i, j);
                     EXPECT_EQ(k, particles.material[i] * 2 + particles.material[j]);
                     EXPECT_TRUE(found.insert(std::minmax(particles.id[i], particles.id[j])).second);
@@ -126,13 +127,14 @@ TEST(Neighbours, ContactsAreTheCandidatesThatAreNear)
     auto const contacts = [&] {
         std::set<Pair> found;
         for (std::size_t k = 0; k < 4; ++k)
-            for (std::size_t s = 0; s < lists[k].size(); ++s)
-                found.insert(std::minmax(particles.id[lists[k].first[s]], particles.id[lists[k].second[s]]));
+            for (std::size_t s = 0; s < lists.pairs[k].size(); ++s)
+                found.insert(std::minmax(particles.id[lists.pairs[k].first[s]],
+                                         particles.id[lists.pairs[k].second[s]]));
         return found;
     };
     std::set<Pair> candidates;
     for (std::size_t k = 0; k < 4; ++k)
-        for (auto const& [first, second] : lists[k].candidates)
+        for (auto const& [first, second] : lists.pairs[k].candidates)
             candidates.insert(std::minmax(particles.id[first], particles.id[second]));
     EXPECT_EQ(candidates, pairs_within(particles, 0.5));
     EXPECT_EQ(contacts(), pairs_within(particles, 0.1));
@@ -140,14 +142,14 @@ TEST(Neighbours, ContactsAreTheCandidatesThatAreNear)
     // Every contact gets a history that says whose it is; one that touches stays wherever it goes.
     std::map<Pair, double> history;
     for (std::size_t k = 0; k < 4; ++k)
-        for (std::size_t s = 0; s < lists[k].size(); ++s) {
-            double& own = lists[k].state[s * static_cast<std::size_t>(lists[k].state_size)];
+        for (std::size_t s = 0; s < lists.pairs[k].size(); ++s) {
+            double& own = lists.pairs[k].state[s * static_cast<std::size_t>(lists.pairs[k].state_size)];
             own = static_cast<double>(history.size() + 1);
-            history[{lists[k].first[s], lists[k].second[s]}] = own;
+            history[{lists.pairs[k].first[s], lists.pairs[k].second[s]}] = own;
         }
-    ASSERT_GT(lists[0].size(), 0u);
-    Pair const touching{lists[0].first[0], lists[0].second[0]};
-    lists[0].touching[0] = 1;
+    ASSERT_GT(lists.pairs[0].size(), 0u);
+    Pair const touching{lists.pairs[0].first[0], lists.pairs[0].second[0]};
+    lists.pairs[0].touching[0] = 1;
     for (std::size_t i = 0; i < particles.size(); ++i)
         particles.place[i].x += i % 2 ? 0.1 : -0.1;
     particles.place[touching.first].z += 0.2;
@@ -157,10 +159,10 @@ TEST(Neighbours, ContactsAreTheCandidatesThatAreNear)
     dem::ContactRenewal renewal;
     std::size_t kept = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-        renewal.renew(lists[k], particles, {}, 0.1);
-        for (std::size_t s = 0; s < lists[k].size(); ++s) {
-            auto const known = history.find({lists[k].first[s], lists[k].second[s]});
-            double const own = lists[k].state[s * static_cast<std::size_t>(lists[k].state_size)];
+        renewal.renew(lists.pairs[k], particles, {}, 0.1);
+        for (std::size_t s = 0; s < lists.pairs[k].size(); ++s) {
+            auto const known = history.find({lists.pairs[k].first[s], lists.pairs[k].second[s]});
+            double const own = lists.pairs[k].state[s * static_cast<std::size_t>(lists.pairs[k].state_size)];
             EXPECT_EQ(own, known == history.end() ? 0.0 : known->second);
             kept += own != 0;
         }
@@ -182,7 +184,7 @@ TEST(Neighbours, HistoriesFollowTheirPairsAndTurnWithThem)
         double const a = particles.id[list.first[s]], b = particles.id[list.second[s]];
         return std::array{a + 1000 * b + b + 1000 * a, a - b, 2 * (a - b), a * a - b * b};
     };
-    for (auto& list : lists)
+    for (auto& list : lists.pairs)
         for (std::size_t s = 0; s < list.size(); ++s) {
             list.touching[s] = 1;
             auto const state = mark(list, s);
@@ -193,7 +195,7 @@ TEST(Neighbours, HistoriesFollowTheirPairsAndTurnWithThem)
         p.x = 8 - p.x, p.z = 8 - p.z;
     search.rebuild(particles, {}, {0.2, 0.2}, lists);
     std::size_t checked = 0;
-    for (auto const& list : lists)
+    for (auto const& list : lists.pairs)
         for (std::size_t s = 0; s < list.size(); ++s, ++checked) {
             EXPECT_EQ(list.touching[s], 1);
             auto const state = mark(list, s);
@@ -213,9 +215,9 @@ TEST(Neighbours, WallsListTheParticlesWithinReach)
     dem::NeighbourSearch search(2, {0, 1, 2, 3});
     search.rebuild(particles, walls, {0.1, 0.1}, lists);
     std::size_t found = 0, expected = 0;
-    for (std::size_t k = 4; k < 8; ++k) {
-        found += lists[k].size();
-        for (auto const wall : lists[k].second)
+    for (auto const& list : lists.walls) {
+        found += list.size();
+        for (auto const wall : list.second)
             EXPECT_EQ(wall, 0u);
     }
     for (auto const& p : particles.place) {

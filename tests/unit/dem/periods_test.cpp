@@ -2,6 +2,7 @@
 #include "demens/base/error.hpp"
 #include "demens/base/random.hpp"
 #include "demens/dem/simulation.hpp"
+#include "src/dem/cpu/neighbours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -49,13 +50,13 @@ TEST(Periods, ListsHoldEachNearPairOnceAcrossTheBorders)
             particles.material.push_back(0);
             particles.id.push_back(static_cast<std::uint32_t>(k));
         }
-        std::vector<dem::ContactList> lists(2);
-        lists[1].with_wall = true;
+        dem::ContactLists lists;
+        lists.add_law_set(0, 0, false);
         dem::NeighbourSearch search(1, {0}, periods);
         search.rebuild(particles, {}, {skin, skin}, lists);
         std::set<std::pair<std::uint32_t, std::uint32_t>> found, expected;
-        for (std::size_t s = 0; s < lists[0].size(); ++s)
-            EXPECT_TRUE(found.insert(std::minmax(lists[0].first[s], lists[0].second[s])).second);
+        for (std::size_t s = 0; s < lists.pairs[0].size(); ++s)
+            EXPECT_TRUE(found.insert(std::minmax(lists.pairs[0].first[s], lists.pairs[0].second[s])).second);
         for (std::uint32_t i = 0; i < count; ++i)
             for (std::uint32_t j = 0; j < i; ++j) {
                 auto const &a = particles.place[i], &b = particles.place[j];

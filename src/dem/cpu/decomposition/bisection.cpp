@@ -1,5 +1,7 @@
 #include "src/dem/cpu/decomposition/bisection.hpp"
 
+#include "demens/base/error.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <tuple>
@@ -131,9 +133,56 @@ void Bisection::cut(Team& team, std::span<Place const> places, std::span<double 
             if (Node const& node = nodes_[static_cast<std::size_t>(node_of[i])]; node.half >= 0)
                 node_of[i] = node.half + (along(places[i], node.axis) >= node.at);
     }
+    find_boxes_of_ranks();
+}
+
+void Bisection::find_boxes_of_ranks()
+{
     for (std::size_t k = 0; k < nodes_.size(); ++k)
         if (nodes_[k].half < 0)
             box_of_rank_[static_cast<std::size_t>(nodes_[k].first_rank)] = static_cast<int>(k);
+}
+
+Bisection::Cuts Bisection::cuts() const
+{
+    Cuts cuts;
+    for (Node const& node : nodes_) {
+        for (int const number : {node.first_rank, node.ranks, node.axis, node.half})
+            cuts.numbers.push_back(number);
+        cuts.borders.insert(cuts.borders.end(), node.lower.begin(), node.lower.end());
+        cuts.borders.insert(cuts.borders.end(), node.upper.begin(), node.upper.end());
+        cuts.borders.push_back(node.at);
+    }
+    return cuts;
+}
+
+void Bisection::restore(Cuts const& cuts)
+{
+    std::size_t const count = cuts.numbers.size() / 4;
+    auto const is_within = [&](std::int64_t number, std::int64_t lower, std::int64_t end) {
+        if (number < lower || number >= end)
+            throw InputError("the state record does not fit together: the boxes of its ranks are no tree");
+    };
+    is_within(static_cast<std::int64_t>(count), 1, 2 * ranks_);
+    if (cuts.borders.size() != 7 * count || cuts.numbers.size() != 4 * count)
+        is_within(-1, 0, 0);
+    std::vector<Node> nodes(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        std::int64_t const* number = cuts.numbers.data() + 4 * k;
+        double const* border = cuts.borders.data() + 7 * k;
+        is_within(number[0], 0, ranks_), is_within(number[1], 1, ranks_ + 1), is_within(number[2], 0, 3);
+        if (number[3] != -1) // halves come later: a search for a box ends
+            is_within(number[3], static_cast<std::int64_t>(k) + 1, static_cast<std::int64_t>(count) - 1);
+        nodes[k] = {.first_rank = static_cast<int>(number[0]),
+                    .ranks = static_cast<int>(number[1]),
+                    .lower = {border[0], border[1], border[2]},
+                    .upper = {border[3], border[4], border[5]},
+                    .axis = static_cast<int>(number[2]),
+                    .at = border[6],
+                    .half = static_cast<int>(number[3])};
+    }
+    nodes_ = std::move(nodes);
+    find_boxes_of_ranks();
 }
 
 std::vector<int> Bisection::halve(Cutting const& cutting, std::vector<int> const& nodes)

@@ -5,6 +5,7 @@
 #include "demens/dem/team.hpp"
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -36,7 +37,19 @@ class Bisection
     //! Whether a place is in the box of the rank, and no other box comes nearer than a distance [m].
     bool is_deep_inside(int rank, Place const& place, double distance) const;
 
+    //! The cuts, to be stored.
+    struct Cuts
+    {
+        std::vector<std::int64_t> numbers; //!< of each node: first rank, ranks, axis, half
+        std::vector<double> borders;       //!< of each node: lower and upper corner, place of the cut [m]
+    };
+    Cuts cuts() const;
+    //! Takes them again. \throws InputError where they are not those of so many ranks.
+    void restore(Cuts const& cuts);
+
   private:
+    void find_boxes_of_ranks();
+
     //! A box of one rank, or two halves.
     struct Node
     {

@@ -1,5 +1,7 @@
 #include "src/dem/cpu/decomposition/decomposition.hpp"
 
+#include "demens/base/contract.hpp"
+#include "src/dem/cpu/cell_grid.hpp"
 #include "src/dem/cpu/decomposition/migration.hpp"
 #include "src/dem/cpu/decomposition/particle_parcels.hpp"
 
@@ -11,34 +13,43 @@ namespace {
 
 constexpr double most_imbalance = 1.01; //!< largest weight of a rank over the mean that needs no new cuts
 
-} // namespace
-
-void Decomposition::remove_ghosts(Particles& particles)
+//! Takes the ghosts away, so that there is room for particles.
+void remove_ghosts(Particles& particles)
 {
     particles.resize(particles.owned());
     particles.ghosts = 0;
 }
 
+} // namespace
+
+bool Decomposition::takes(std::uint32_t id, Particles& particles)
+{
+    remove_ghosts(particles);
+    return static_cast<int>(id % static_cast<std::uint32_t>(team_.size())) == team_.rank();
+}
+
 //! A particle costs a move and a search, about as much as the force of a contact, which has two particles.
-std::vector<double> Decomposition::weights(Particles const& particles,
-                                           std::vector<ContactList> const& lists) const
+std::vector<double> Decomposition::weights(Particles const& particles, ContactLists const& contacts) const
 {
     std::vector<double> weights(particles.size(), 2.0);
-    for (ContactList const& list : lists)
+    contacts.for_each([&](ContactList const& list) {
         for (std::size_t s = 0; s < list.size(); ++s)
             if (list.touching[s]) {
                 if (list.first[s] < owned_)
                     weights[list.first[s]] += 1;
-                if (!list.with_wall && list.second[s] < owned_)
+                if (list.kind != ContactKind::wall && list.second[s] < owned_)
                     weights[list.second[s]] += 1;
             }
+    });
     return weights;
 }
 
-void Decomposition::distribute(Particles& particles, std::vector<ContactList>& lists, double reach)
+//! Ghosts come within the reach beyond the particles' radii and the largest one.
+void Decomposition::distribute(Particles& particles, ContactLists& contacts, MeetingReach const& reach)
 {
+    check_periods(periods_, reach.largest_radius, reach.gap);
     remove_ghosts(particles);
-    auto const weight = weights(particles, lists);
+    auto const weight = weights(particles, contacts);
     double const mine = std::accumulate(weight.begin(), weight.end(), 0.0);
     if (!is_cut_ || team_.largest(mine) * team_.size() > most_imbalance * sum(mine))
         boxes_.cut(team_, particles.place, weight);
@@ -47,9 +58,9 @@ void Decomposition::distribute(Particles& particles, std::vector<ContactList>& l
     std::vector<int> owners(particles.size());
     std::transform(particles.place.begin(), particles.place.end(), owners.begin(),
                    [&](Place const& place) { return boxes_.owner(place); });
-    Migration migration(team_, lists, owned_, ghost_ids_);
+    Migration migration(team_, contacts, owned_, ghost_ids_);
     migration.move(particles, owners);
-    ghosts_.rebuild(team_, boxes_, particles, reach);
+    ghosts_.rebuild(team_, boxes_, particles, reach.largest_radius + reach.gap);
     migration.renumber(particles);
 }
 
@@ -61,11 +72,10 @@ void Decomposition::renumber(std::span<std::uint32_t const> new_numbers, Particl
     is_fresh_ = true;
 }
 
-void Decomposition::give_up(Particles& particles, std::vector<ContactList>& lists)
+void Decomposition::give_up(Particles& particles, ContactLists& contacts)
 {
     remove_ghosts(particles);
-    for (ContactList& list : lists)
-        list.clear();
+    contacts.for_each([](ContactList& list) { list.clear(); });
     ghosts_ = {};
     ghost_ids_.clear();
     owned_ = particles.size();
@@ -84,62 +94,60 @@ void Decomposition::finish_exchange(Particles& particles)
     is_fresh_ = false;
 }
 
-void Decomposition::forget_all()
+Particles const& Decomposition::gather(Particles const& mine, Fields fields)
 {
-    all_.reset();
-    all_loads_.reset();
-}
-
-Particles const& Decomposition::all(Particles const& mine)
-{
-    if (all_)
-        return *all_;
+    if (all_ && includes(all_->fields, fields))
+        return all_->particles;
+    // Velocities at the time of the place need the loads.
+    bool const with_loads = includes(fields, Fields::motions) || includes(fields, Fields::loads);
+    Loads const loads = with_loads ? Loads::travel : Loads::stay;
     std::vector<std::uint32_t> which(mine.owned());
     std::iota(which.begin(), which.end(), 0u);
     Team::Bytes bytes;
     ByteWriter out(bytes);
-    write_particles(out, mine, which, Loads::travel);
+    write_particles(out, mine, which, loads);
     Particles found;
     for (auto const& part : team_.gather(bytes)) {
         ByteReader in(part);
-        append_particles(in, found, Loads::travel);
+        append_particles(in, found, loads);
     }
-    all_.emplace();
-    all_->resize(found.size());
-    // Ids have no gaps.
+    all_.emplace(Gathered{{}, with_loads ? Fields::all : fields});
+    Particles& all = all_->particles;
+    all.resize(found.size());
     for (std::size_t k = 0; k < found.size(); ++k) {
         std::uint32_t const id = found.id[k];
-        all_->place[id] = found.place[k], all_->motion[id] = found.motion[k];
-        all_->load[id] = found.load[k], all_->material[id] = found.material[k];
-        all_->id[id] = id;
+        DEMENS_EXPECT(id < found.size(), "ids have no gaps");
+        all.place[id] = found.place[k], all.motion[id] = found.motion[k];
+        all.load[id] = found.load[k], all.material[id] = found.material[k];
+        all.id[id] = id;
     }
-    return *all_;
+    return all;
 }
 
-std::vector<WallLoad> const& Decomposition::all(std::vector<WallLoad> const& mine)
+std::vector<WallLoad> Decomposition::sum(std::vector<WallLoad> const& mine)
 {
-    if (!all_loads_) {
-        all_loads_ = mine;
-        static_assert(sizeof(WallLoad) == 6 * sizeof(double));
-        team_.sum(std::span(reinterpret_cast<double*>(all_loads_->data()), 6 * mine.size()));
-    }
-    return *all_loads_;
+    auto all = mine;
+    static_assert(sizeof(WallLoad) == 6 * sizeof(double));
+    team_.sum(std::span(reinterpret_cast<double*>(all.data()), 6 * all.size()));
+    return all;
 }
 
-double Decomposition::sum(double value)
+double Decomposition::sum(double mine)
 {
-    team_.sum(std::span(&value, 1));
-    return value;
+    team_.sum(std::span(&mine, 1));
+    return mine;
 }
 
-void Decomposition::sum(EnergyLedger& ledger)
+EnergyLedger Decomposition::sum(EnergyLedger const& mine)
 {
     std::array<double, energy_entries.size()> values{};
     for (std::size_t k = 0; k < values.size(); ++k)
-        values[k] = ledger.*energy_entries[k].value;
+        values[k] = mine.*energy_entries[k].value;
     team_.sum(values);
+    EnergyLedger all = mine;
     for (std::size_t k = 0; k < values.size(); ++k)
-        ledger.*energy_entries[k].value = values[k];
+        all.*energy_entries[k].value = values[k];
+    return all;
 }
 
 } // namespace demens::dem

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "demens/dem/energy.hpp"
-#include "demens/dem/wall.hpp"
-#include "src/dem/cpu/contact_list.hpp"
 #include "src/dem/cpu/decomposition/bisection.hpp"
 #include "src/dem/cpu/decomposition/ghost_exchange.hpp"
+#include "src/dem/cpu/partition.hpp"
 
 #include <optional>
 #include <vector>
@@ -12,54 +10,56 @@
 namespace demens::dem {
 
 //! One simulation over the ranks of a team: every rank owns the particles in its box and computes their
-//! contacts; those across a border are computed on both sides, from the same numbers to the same bits. All
-//! calls are collective, and all ranks get the same answers.
-class Decomposition
+//! contacts; those across a border are computed on both sides, from the same numbers to the same bits.
+class Decomposition final : public Partition
 {
   public:
-    Decomposition(Team& team, Periods const& periods) : team_(team), boxes_(team.size(), periods) {}
+    //! Array of a record that tells how many ranks shared the simulation.
+    static constexpr char const* ranks_name = "ranks";
 
-    Team& team() { return team_; }
-    //! Whether this rank takes a particle that is added, until the next rebuild sends it where it belongs.
-    bool takes(std::uint32_t id) const { return static_cast<int>(id % team_.size()) == team_.rank(); }
-    //! Takes the ghosts away, so that particles can be added.
-    void remove_ghosts(Particles& particles);
+    Decomposition(Team& team, Periods const& periods)
+        : team_(team), periods_(periods), boxes_(team.size(), periods)
+    {
+    }
 
-    //! Before neighbours are searched: gives the particles to their owners, with the histories of their
-    //! contacts, and every rank the ghosts within `reach` [m] beyond the particles' radii and the largest
-    //! one.
-    void distribute(Particles& particles, std::vector<ContactList>& lists, double reach);
-    //! After it: the particles are in another order.
-    void renumber(std::span<std::uint32_t const> new_numbers, Particles const& particles);
-
-    //! Instead of both, when particles are where they cannot be searched: nothing touches anything any more.
-    void give_up(Particles& particles, std::vector<ContactList>& lists);
-
-    //! Between the two, contacts without ghosts can be computed.
-    void begin_exchange(Particles const& particles);
-    void finish_exchange(Particles& particles);
-
-    //! What this rank has has changed, and with it what all have.
-    void forget_all();
-    //! Particles of all ranks, by their ids.
-    Particles const& all(Particles const& mine);
-    std::vector<WallLoad> const& all(std::vector<WallLoad> const& mine);
-    double sum(double value);
-    //! Sums all entries of a ledger.
-    void sum(EnergyLedger& ledger);
+    bool has_ghosts() const override { return true; }
+    bool takes(std::uint32_t id, Particles& particles) override;
+    void distribute(Particles& particles, ContactLists& contacts, MeetingReach const& reach) override;
+    void renumber(std::span<std::uint32_t const> new_numbers, Particles const& particles) override;
+    void give_up(Particles& particles, ContactLists& contacts) override;
+    void begin_exchange(Particles const& particles) override;
+    void finish_exchange(Particles& particles) override;
+    void note_change() override { all_.reset(); }
+    //! By their ids.
+    Particles const& gather(Particles const& mine, Fields fields) override;
+    std::vector<WallLoad> sum(std::vector<WallLoad> const& mine) override;
+    EnergyLedger sum(EnergyLedger const& mine) override;
+    double sum(double mine) override;
+    double largest(double mine) override { return team_.largest(mine); }
+    StateRecord join(StateRecord&& mine) override;
+    StateRecord part_of(StateRecord const& record) override;
+    void save(StateRecord& record) const override;
+    std::size_t restore(StateRecord const& record, Particles const& particles) override;
+    void agree(std::function<void()> const& part) override;
 
   private:
-    std::vector<double> weights(Particles const& particles, std::vector<ContactList> const& lists) const;
+    std::vector<double> weights(Particles const& particles, ContactLists const& contacts) const;
+    //! Particles of all ranks, as far as they were asked for.
+    struct Gathered
+    {
+        Particles particles;
+        Fields fields;
+    };
 
     Team& team_;
+    Periods periods_;
     Bisection boxes_;
     GhostExchange ghosts_;
     std::size_t owned_ = 0; //!< particles that the contact lists know as owned
     std::vector<std::uint32_t> ghost_ids_;
     bool is_fresh_ = false; //!< the ghosts are as their particles, no exchange is needed
     bool is_cut_ = false;
-    std::optional<Particles> all_;
-    std::optional<std::vector<WallLoad>> all_loads_;
+    std::optional<Gathered> all_;
 };
 
 } // namespace demens::dem

@@ -1,5 +1,6 @@
 #include "src/dem/cpu/decomposition/ghost_exchange.hpp"
 
+#include "demens/base/error.hpp"
 #include "src/dem/cpu/decomposition/particle_parcels.hpp"
 
 #include <map>
@@ -83,6 +84,44 @@ void GhostExchange::finish(Team& team, Particles& particles)
         particles.load[k] = {};
         from += record;
     }
+}
+
+GhostExchange::Routes GhostExchange::routes() const
+{
+    Routes routes{sent_, received_, {}};
+    for (Team::Link const& link : links_) {
+        routes.links.push_back(link.rank);
+        for (std::size_t const number : {link.out_begin, link.out_count, link.in_begin, link.in_count})
+            routes.links.push_back(static_cast<std::int64_t>(number));
+    }
+    return routes;
+}
+
+void GhostExchange::restore(Routes const& routes, Team const& team, std::size_t particles)
+{
+    auto const expect = [](bool fits) {
+        if (!fits)
+            throw InputError("the state record does not fit together: the routes of its ghosts lead nowhere");
+    };
+    for (auto const* numbers : {&routes.sent, &routes.received})
+        for (std::uint32_t const k : *numbers)
+            expect(k < particles);
+    expect(routes.links.size() % 5 == 0);
+    std::vector<Team::Link> links;
+    auto const out = static_cast<std::int64_t>(record * routes.sent.size());
+    auto const in = static_cast<std::int64_t>(record * routes.received.size());
+    for (std::size_t k = 0; k < routes.links.size(); k += 5) {
+        std::int64_t const* link = routes.links.data() + k;
+        expect(link[0] >= 0 && link[0] < team.size());
+        expect(link[1] >= 0 && link[1] <= out && link[2] >= 0 && link[2] <= out - link[1]);
+        expect(link[3] >= 0 && link[3] <= in && link[4] >= 0 && link[4] <= in - link[3]);
+        links.push_back({static_cast<int>(link[0]), static_cast<std::size_t>(link[1]),
+                         static_cast<std::size_t>(link[2]), static_cast<std::size_t>(link[3]),
+                         static_cast<std::size_t>(link[4])});
+    }
+    sent_ = routes.sent, received_ = routes.received, links_ = std::move(links);
+    out_.resize(record * sent_.size());
+    in_.resize(record * received_.size());
 }
 
 } // namespace demens::dem

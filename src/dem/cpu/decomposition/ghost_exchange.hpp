@@ -2,6 +2,7 @@
 
 #include "src/dem/cpu/decomposition/bisection.hpp"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,16 @@ class GhostExchange
     void begin(Team& team, Particles const& particles);
     //! The ghosts are where their particles are.
     void finish(Team& team, Particles& particles);
+
+    //! Who sends what to whom, to be stored.
+    struct Routes
+    {
+        std::vector<std::uint32_t> sent, received; //!< numbers of particles, rank by rank
+        std::vector<std::int64_t> links;           //!< of each: rank, first and count of numbers out, and in
+    };
+    Routes routes() const;
+    //! Takes them again. \throws InputError where they do not fit the team or the particles.
+    void restore(Routes const& routes, Team const& team, std::size_t particles);
 
   private:
     static constexpr std::size_t record = 9; //!< numbers of a particle that change: place, velocity, spin

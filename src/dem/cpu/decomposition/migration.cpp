@@ -23,13 +23,9 @@ std::uint64_t pair_key(std::uint32_t a, std::uint32_t b)
 
 } // namespace
 
-Migration::Migration(Team& team, std::vector<ContactList>& lists, std::size_t owned,
+Migration::Migration(Team& team, ContactLists& contacts, std::size_t owned,
                      std::span<std::uint32_t const> ghost_ids)
-    : team_(team), lists_(lists), owned_(owned),
-      law_sets_(static_cast<std::size_t>(
-          std::find_if(lists.begin(), lists.end(), [](auto const& list) { return list.with_wall; }) -
-          lists.begin())),
-      ghost_ids_(ghost_ids)
+    : team_(team), lists_(contacts), owned_(owned), ghost_ids_(ghost_ids)
 {
 }
 
@@ -45,17 +41,18 @@ void Migration::write_contacts(Particles const& particles, std::span<int const> 
     if (std::all_of(owners.begin(), owners.end(), [&](int owner) { return owner == here; }))
         return;
     auto const owner_of = [&](std::uint32_t number) { return number < owned_ ? owners[number] : here; };
-    for (ContactList const& list : lists_)
+    lists_.for_each([&](ContactList const& list) {
+        bool const with_wall = list.kind == ContactKind::wall;
         for (std::size_t s = 0; s < list.size(); ++s) {
             if (!list.touching[s])
                 continue;
             std::uint32_t const i = list.first[s], j = list.second[s];
-            int const to_i = owner_of(i), to_j = list.with_wall ? here : owner_of(j);
+            int const to_i = owner_of(i), to_j = with_wall ? here : owner_of(j);
             if (to_i == here && to_j == here)
                 continue;
-            ContactHeader const header{list.interaction, list.with_wall, id_of(particles, i),
-                                       list.with_wall ? j : id_of(particles, j),
-                                       list.with_wall ? list.offset[s] : Vector3{}};
+            ContactHeader const header{list.interaction, with_wall, id_of(particles, i),
+                                       with_wall ? j : id_of(particles, j),
+                                       with_wall ? list.offset[s] : Vector3{}};
             auto const send = [&](int rank) {
                 ByteWriter out(parcels[static_cast<std::size_t>(rank)]);
                 out.put(header);
@@ -67,6 +64,7 @@ void Migration::write_contacts(Particles const& particles, std::span<int const> 
             if (to_j != here && to_j != to_i)
                 send(to_j);
         }
+    });
 }
 
 void Migration::move(Particles& particles, std::span<int const> owners)
@@ -137,15 +135,15 @@ void Migration::renumber(Particles const& particles)
         numbers_[particles.id[k]] = static_cast<std::uint32_t>(k);
     std::unordered_set<std::uint64_t> known; // pairs with a particle that came or a ghost
     bool const all_stayed = stayed_ == old_ids_.size();
-    for (ContactList& list : lists_) {
-        if (all_stayed && !list.with_ghost)
-            continue; // the numbers are the same
+    lists_.for_each([&](ContactList& list) {
+        if (all_stayed && list.kind != ContactKind::ghost)
+            return; // the numbers are the same
         for (std::size_t s = 0; s < list.size(); ++s) {
             if (!list.touching[s])
                 continue;
             std::uint32_t& i = list.first[s];
             std::uint32_t& j = list.second[s];
-            if (list.with_wall) {
+            if (list.kind == ContactKind::wall) {
                 i = new_number_[i];
                 list.touching[s] = i != gone;
                 continue;
@@ -156,7 +154,7 @@ void Migration::renumber(Particles const& particles)
             if (stays && std::max(i, j) >= stayed_)
                 known.insert(pair_key(particles.id[i], particles.id[j]));
         }
-    }
+    });
     for (auto const& bytes : contacts_)
         take_arrived(bytes, known);
 }
@@ -167,7 +165,7 @@ void Migration::take_arrived(Team::Bytes const& contacts, std::unordered_set<std
     std::vector<double> state;
     for (ByteReader in(contacts); !in.at_end();) {
         auto const header = in.get<ContactHeader>();
-        ContactList& list = lists_[header.interaction + (header.with_wall ? law_sets_ : 0)];
+        ContactList& list = (header.with_wall ? lists_.walls : lists_.pairs)[header.interaction];
         state.resize(static_cast<std::size_t>(list.state_size));
         in.get(state.data(), state.size());
         std::uint32_t const i = find(header.first);

@@ -18,7 +18,7 @@ namespace demens::dem {
 class Migration
 {
   public:
-    Migration(Team& team, std::vector<ContactList>& lists, std::size_t owned,
+    Migration(Team& team, ContactLists& contacts, std::size_t owned,
               std::span<std::uint32_t const> ghost_ids);
 
     //! Sends the particles whose owner is another rank, and takes those of this one; there must be no ghosts.
@@ -42,8 +42,8 @@ class Migration
     void take_arrived(Team::Bytes const& contacts, std::unordered_set<std::uint64_t>& known);
 
     Team& team_;
-    std::vector<ContactList>& lists_;
-    std::size_t owned_, law_sets_;
+    ContactLists& lists_;
+    std::size_t owned_;
     std::span<std::uint32_t const> ghost_ids_;
     std::vector<std::uint32_t> old_ids_, new_number_; //!< of the particles before; `gone` if another rank's
     std::size_t stayed_ = 0;

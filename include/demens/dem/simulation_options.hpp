@@ -1,0 +1,34 @@
+#pragma once
+
+#include "demens/contact/model.hpp"
+#include "demens/dem/periods.hpp"
+
+namespace demens::dem {
+
+class Team;
+
+//! Where a simulation is computed.
+enum class EngineKind
+{
+    cpu //!< this process, or with a team several
+};
+
+struct SimulationOptions
+{
+    double time_step = 1e-5;         //!< [s]
+    Vector3 gravity = {0, 0, -9.81}; //!< [m/s^2]
+    double skin = 1e-3;              //!< distance beyond contact that a neighbour list covers [m]
+    double overlap_limit = 0.5;      //!< largest overlap over the smaller radius that counts as healthy
+    Vector3 domain_lower = {-1e9, -1e9, -1e9}; //!< particles outside have escaped [m]
+    Vector3 domain_upper = {1e9, 1e9, 1e9};
+    Periods periodic = {};       //!< particles that leave a period come back on its other side
+    bool energy_ledger = false;  //!< account for all energy; the motion is the same, bit for bit
+    double closure_limit = 0.05; //!< largest closure error of the ledger that counts as healthy
+    Team* team = nullptr;        //!< who shares the simulation; null: nobody
+    EngineKind engine = EngineKind::cpu;
+};
+
+//! Rayleigh time of a sphere: a wave crosses its surface (Ning and Thornton 1993) [s].
+double rayleigh_time(double radius, contact::Material const& material);
+
+} // namespace demens::dem

@@ -1,0 +1,230 @@
+// What changes a simulation: commands and the time step. What is read off it: cpu_engine_reading.cpp.
+#include "src/dem/cpu/cpu_engine.hpp"
+
+#include "demens/base/contract.hpp"
+#include "src/dem/cpu/particle_motion.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+namespace demens::dem {
+
+namespace {
+constexpr double near_share = 0.25; // how far contacts reach beyond touch, over the skin
+}
+
+CpuEngine::CpuEngine(contact::Model const& model, SimulationOptions const& options)
+    : params_(make_params(model, options)), partition_(make_partition(options)),
+      accounts_(make_accounts(options.energy_ledger)),
+      search_(params_->materials.size(), params_->interaction, options.periodic)
+{
+    for (auto const& layout : params_->layouts)
+        state_.contacts.add_law_set(layout.size, layout.scalars, partition_->has_ghosts());
+}
+
+void CpuEngine::set_model(contact::Model const& model)
+{
+    auto params = make_params(model, params_->options);
+    if (params->kinds != params_->kinds || params->interaction != params_->interaction)
+        throw InputError("a simulation that runs may get other coefficients, but not other laws, materials "
+                         "or pairs of them");
+    params_ = std::move(params);
+    state_.lists.is_stale = true; // the new laws may reach further
+}
+
+void CpuEngine::note_change()
+{
+    state_.lists.is_stale = true;
+    partition_->note_change();
+}
+
+IdRange CpuEngine::add(BodyBatch const& bodies)
+{
+    // Velocities are kept half a step behind the places, except before the first step.
+    SimulationOptions const& options = params_->options;
+    Vector3 const behind = state_.steps_done == 0 ? Vector3{} : 0.5 * options.time_step * options.gravity;
+    IdRange ids{state_.particles_added, state_.particles_added};
+    for (Body const& body : bodies) {
+        add(body, body.velocity - behind);
+        ids.end = state_.particles_added;
+    }
+    return ids;
+}
+
+void CpuEngine::add(Body const& body, Vector3 const& v)
+{
+    double const r = body.radius;
+    DEMENS_EXPECT(r > 0, "a body has a size");
+    DEMENS_EXPECT(body.material.value < params_->materials.size(), "a material of the model");
+    double const mass =
+        params_->materials[body.material.value].density * 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    DEMENS_EXPECT(mass > 0, "a body has a mass");
+    note_change();
+    auto const id = state_.particles_added++;
+    Particles& particles = state_.particles;
+    if (!partition_->takes(id, particles))
+        return;
+    particles.place.push_back({body.position.x, body.position.y, body.position.z, r});
+    particles.motion.push_back(
+        {v.x, v.y, v.z, mass, body.spin.x, body.spin.y, body.spin.z, 0.4 * mass * r * r});
+    particles.load.push_back({});
+    particles.material.push_back(body.material.value);
+    particles.id.push_back(id);
+    accounts_->particle_added(*params_, state_);
+}
+
+WallId CpuEngine::add(Wall const& wall)
+{
+    DEMENS_EXPECT(wall.material < params_->materials.size(), "a material of the model");
+    note_change();
+    state_.wall_loads.push_back({});
+    return state_.walls.add(wall);
+}
+
+void CpuEngine::place(WallId wall, WallShape const& shape)
+{
+    note_change();
+    state_.walls.place(wall, shape);
+}
+
+void CpuEngine::move(WallId wall, WallVelocity const& velocity)
+{
+    note_change();
+    state_.walls.move(wall, velocity);
+}
+
+void CpuEngine::move(WallId wall, std::vector<WallMotion> motions)
+{
+    note_change();
+    state_.walls.move(wall, std::move(motions), time());
+}
+
+void CpuEngine::activate(WallId wall, bool on)
+{
+    note_change();
+    state_.walls.activate(wall, on);
+}
+
+void CpuEngine::advance(std::int64_t steps)
+{
+    for (std::int64_t k = 0; k < steps; ++k)
+        step();
+}
+
+void CpuEngine::step()
+{
+    if (state_.steps_done == 0) {
+        rebuild_if_needed();
+        compute_loads();
+        accounts_->begin(*params_, state_);
+    }
+    move_bodies();
+    rebuild_if_needed();
+    compute_loads();
+    ++state_.steps_done;
+    partition_->note_change();
+}
+
+void CpuEngine::move_bodies()
+{
+    double const dt = params_->options.time_step;
+    double const kick = state_.steps_done == 0 ? 0.5 * dt : dt;
+    double const fastest =
+        partition_->largest(move_particles(state_.particles, kick, dt, params_->options.gravity));
+    double const fastest_wall = state_.walls.advance(time(), dt);
+    state_.lists.travelled += dt * std::max(fastest, 0.5 * (fastest + fastest_wall));
+}
+
+void CpuEngine::rebuild_if_needed()
+{
+    if (!state_.lists.is_stale && state_.lists.travelled <= 0.5 * params_->options.skin)
+        return;
+    accounts_->before_search(*params_, state_);
+    search_neighbours();
+    accounts_->after_search(*params_, state_);
+}
+
+namespace {
+
+bool is_outside(Particles const& particles, Vector3 const& lower, Vector3 const& upper)
+{
+    for (std::size_t k = 0; k < particles.owned(); ++k) {
+        Place const& p = particles.place[k];
+        if (!(p.x >= lower.x && p.y >= lower.y && p.z >= lower.z && p.x <= upper.x && p.y <= upper.y &&
+              p.z <= upper.z))
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+void CpuEngine::search_neighbours()
+{
+    SimulationOptions const& options = params_->options;
+    Particles& particles = state_.particles;
+    if (options.periodic.any())
+        for (Place& p : particles.place) {
+            p.x = options.periodic.x.wrapped(p.x);
+            p.y = options.periodic.y.wrapped(p.y);
+        }
+    bool const outside = is_outside(particles, options.domain_lower, options.domain_upper);
+    if (partition_->largest(outside ? 1.0 : 0.0) > 0) {
+        state_.left_domain = true; // or is not a number; `health` tells which
+        partition_->give_up(particles, state_.contacts);
+        return;
+    }
+    ListClock& lists = state_.lists;
+    double const radius = update_ranges();
+    double furthest = 0;
+    for (auto const& range : lists.ranges)
+        furthest = std::max(furthest, range.gap);
+    lists.reach = {options.skin + furthest, near_share * options.skin + furthest};
+    partition_->distribute(particles, state_.contacts, {radius, lists.reach.candidates});
+    search_.rebuild(particles, state_.walls.all(), lists.reach, state_.contacts);
+    partition_->renumber(search_.new_numbers(), particles);
+    lists.travelled = 0;
+    lists.near_until = 0.5 * near_share * options.skin;
+    lists.is_stale = false;
+    ++lists.rebuilds;
+}
+
+//! Returns the largest radius [m].
+double CpuEngine::update_ranges()
+{
+    double radius = 0;
+    for (Place const& p : state_.particles.place)
+        radius = std::max(radius, p.radius);
+    radius = partition_->largest(radius);
+    state_.lists.ranges.clear();
+    for (auto const& laws : params_->laws)
+        state_.lists.ranges.push_back(contact::range_of(laws, radius));
+    return radius;
+}
+
+void CpuEngine::compute_loads()
+{
+    std::fill(state_.wall_loads.begin(), state_.wall_loads.end(), WallLoad{});
+    ListClock& lists = state_.lists;
+    bool const renews = lists.travelled > lists.near_until;
+    if (renews)
+        lists.near_until = lists.travelled + 0.5 * near_share * params_->options.skin;
+    partition_->begin_exchange(state_.particles);
+    compute_contacts(state_.contacts.pairs, renews);
+    compute_contacts(state_.contacts.walls, false);
+    partition_->finish_exchange(state_.particles);
+    compute_contacts(state_.contacts.ghosts, renews);
+    accounts_->loads_known(*params_, state_);
+}
+
+void CpuEngine::compute_contacts(std::vector<ContactList>& lists, bool renews)
+{
+    for (ContactList& list : lists) {
+        if (renews)
+            renewal_.renew(list, state_.particles, params_->options.periodic, state_.lists.reach.contacts);
+        contact_loop_.compute(*params_, state_, list);
+    }
+}
+
+} // namespace demens::dem

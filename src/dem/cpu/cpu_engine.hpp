@@ -1,0 +1,76 @@
+#pragma once
+
+#include "demens/dem/engine.hpp"
+#include "src/dem/cpu/contact_loop.hpp"
+#include "src/dem/cpu/contact_renewal.hpp"
+#include "src/dem/cpu/energy_accounts.hpp"
+#include "src/dem/cpu/partition.hpp"
+
+namespace demens::dem {
+
+//! The engine on processors: parameters, the state, and what works on it.
+class CpuEngine final : public Engine
+{
+  public:
+    CpuEngine(contact::Model const& model, SimulationOptions const& options);
+    CpuEngine(contact::Model const& model, SimulationOptions const& options, StateRecord const& record);
+
+    IdRange add(BodyBatch const& bodies) override;
+    WallId add(Wall const& wall) override;
+    void place(WallId wall, WallShape const& shape) override;
+    void move(WallId wall, WallVelocity const& velocity) override;
+    void move(WallId wall, std::vector<WallMotion> motions) override;
+    void activate(WallId wall, bool on) override;
+    void set_model(contact::Model const& model) override;
+
+    void advance(std::int64_t steps) override;
+
+    Health health() override;
+    StateView read(Fields fields) override;
+    std::vector<WallLoad> read_wall_loads() override;
+    double largest_speed() override;
+    double kinetic_energy() override;
+    EnergyLedger energy() override;
+    Counts counts() override;
+    StateRecord save() override;
+
+    std::vector<Wall> const& walls() const override { return state_.walls.all(); }
+    std::int64_t steps_done() const override { return state_.steps_done; }
+    SimulationOptions const& options() const override { return params_->options; }
+
+    std::uint32_t add_as_kept(Body const& body) override
+    {
+        add(body, body.velocity);
+        return state_.particles_added - 1;
+    }
+    void set_wall(WallId id, Wall const& wall) override
+    {
+        note_change();
+        state_.walls.place(id, wall.shape);
+        state_.walls.set(id, wall);
+    }
+    Particles const& particles() override { return partition_->gather(state_.particles, Fields::all); }
+
+  private:
+    double time() const { return static_cast<double>(state_.steps_done) * params_->options.time_step; }
+    //! What was gathered and the neighbour lists no longer say how it is.
+    void note_change();
+    void add(Body const& body, Vector3 const& velocity_behind);
+    void step();
+    void move_bodies();
+    void rebuild_if_needed();
+    void search_neighbours();
+    double update_ranges();
+    void compute_loads();
+    void compute_contacts(std::vector<ContactList>& lists, bool renews);
+
+    std::shared_ptr<Params const> params_;
+    State state_;
+    std::unique_ptr<Partition> partition_;
+    std::unique_ptr<EnergyAccounts> accounts_;
+    NeighbourSearch search_;
+    ContactRenewal renewal_;
+    ContactLoop contact_loop_;
+};
+
+} // namespace demens::dem

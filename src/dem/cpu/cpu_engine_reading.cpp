@@ -1,0 +1,90 @@
+#include "demens/base/contract.hpp"
+#include "src/dem/cpu/cpu_engine.hpp"
+#include "src/dem/cpu/energy_sums.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace demens::dem {
+
+Health CpuEngine::health()
+{
+    Particles const& particles = state_.particles;
+    double sum = 0;
+    for (std::size_t i = 0; i < particles.owned(); ++i)
+        sum += particles.place[i].x + particles.place[i].y + particles.place[i].z + particles.load[i].fx +
+               particles.load[i].tx;
+    bool const overlapping = partition_->largest(std::exchange(state_.overlapping, false) ? 1.0 : 0.0) > 0;
+    if (partition_->largest(std::isfinite(sum) ? 0.0 : 1.0) > 0)
+        return Health::not_a_number;
+    if (state_.left_domain)
+        return Health::escaped;
+    if (overlapping)
+        return Health::overlapping;
+    SimulationOptions const& options = params_->options;
+    bool const balanced =
+        !options.energy_ledger || std::abs(energy().closure_error()) <= options.closure_limit;
+    return balanced ? Health::good : Health::unbalanced;
+}
+
+StateView CpuEngine::read(Fields fields)
+{
+    Particles const& all = partition_->gather(state_.particles, fields);
+    return {{all.place, all.motion, all.load, all.material, all.id}, fields, catch_up(*params_, state_)};
+}
+
+std::vector<WallLoad> CpuEngine::read_wall_loads()
+{
+    return partition_->sum(state_.wall_loads);
+}
+
+double CpuEngine::largest_speed()
+{
+    double squared = 0;
+    for (std::size_t k = 0; k < state_.particles.owned(); ++k) {
+        Motion const& m = state_.particles.motion[k];
+        squared = std::max(squared, m.vx * m.vx + m.vy * m.vy + m.vz * m.vz);
+    }
+    return partition_->largest(std::sqrt(squared));
+}
+
+double CpuEngine::kinetic_energy()
+{
+    return partition_->sum(dem::kinetic_energy(*params_, state_));
+}
+
+EnergyLedger CpuEngine::energy()
+{
+    DEMENS_EXPECT(params_->options.energy_ledger, "the simulation was made with the ledger");
+    EnergyLedger ledger = partition_->sum(read_ledger(*params_, state_));
+    note_turn_over(state_.tally, ledger);
+    return ledger;
+}
+
+namespace {
+
+double count_touching(std::vector<ContactList> const& lists)
+{
+    double count = 0;
+    for (ContactList const& list : lists)
+        count +=
+            share_of(list) * static_cast<double>(std::count(list.touching.begin(), list.touching.end(), 1));
+    return count;
+}
+
+} // namespace
+
+Counts CpuEngine::counts()
+{
+    ContactLists const& contacts = state_.contacts;
+    double const pairs = count_touching(contacts.pairs) + count_touching(contacts.ghosts);
+    return {.particles = state_.particles_added,
+            .contacts = static_cast<std::size_t>(partition_->sum(pairs)),
+            .wall_contacts = static_cast<std::size_t>(partition_->sum(count_touching(contacts.walls))),
+            .rebuilds = state_.lists.rebuilds,
+            .particles_of_rank = state_.particles.owned(),
+            .ghosts_of_rank = state_.particles.ghosts};
+}
+
+} // namespace demens::dem

@@ -1,0 +1,39 @@
+// An engine's state to a record and back.
+#include "src/dem/cpu/cpu_engine.hpp"
+#include "src/dem/cpu/state_record.hpp"
+#include "src/dem/record_fields.hpp"
+
+#include <algorithm>
+
+namespace demens::dem {
+
+StateRecord CpuEngine::save()
+{
+    StateRecord mine;
+    write_state(mine, *params_, state_);
+    partition_->save(mine);
+    return partition_->join(std::move(mine));
+}
+
+CpuEngine::CpuEngine(contact::Model const& model, SimulationOptions const& options, StateRecord const& record)
+    : CpuEngine(model, options)
+{
+    double radius = 0;
+    partition_->agree([&] {
+        auto const mine = partition_->part_of(record);
+        State state = read_state(mine, *params_);
+        check_contacts(state, partition_->restore(mine, state.particles));
+        state_ = std::move(state);
+        for (Place const& p : state_.particles.place)
+            radius = std::max(radius, p.radius);
+    });
+    expect_fit(partition_->sum(static_cast<double>(state_.particles.owned())) == state_.particles_added,
+               "there are fewer or more particles than were added"); // the same answer on all processes
+    // Other coefficients may reach further.
+    radius = partition_->largest(radius);
+    for (std::size_t k = 0; k < state_.lists.ranges.size(); ++k)
+        if (contact::range_of(params_->laws[k], radius) != state_.lists.ranges[k])
+            state_.lists.is_stale = true;
+}
+
+} // namespace demens::dem

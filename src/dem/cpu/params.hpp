@@ -1,0 +1,39 @@
+#pragma once
+
+#include "demens/contact/laws.hpp"
+#include "demens/dem/simulation_options.hpp"
+#include "src/dem/cpu/law_stages.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace demens::dem {
+
+//! Which laws a pair of materials has, whatever their coefficients.
+struct LawKinds
+{
+    contact::NormalLaw normal;
+    contact::TangentialLaw tangential;
+    contact::RollingLaw rolling;
+    contact::CohesionLaw cohesion;
+
+    friend bool operator==(LawKinds const&, LawKinds const&) = default;
+};
+
+//! What does not change while a simulation runs. Replicas may share it.
+struct Params
+{
+    SimulationOptions options;
+    std::vector<contact::Material> materials;
+    std::vector<std::uint32_t> interaction; //!< law set of materials (a, b) at a * materials + b
+    // Of each law set
+    std::vector<contact::LawSet> laws;
+    std::vector<LawKinds> kinds;
+    std::vector<contact::StateLayout> layouts; //!< of its histories
+};
+
+//! \throws InputError when a pair of the model names a material that is not in it.
+std::shared_ptr<Params const> make_params(contact::Model const& model, SimulationOptions const& options);
+
+} // namespace demens::dem

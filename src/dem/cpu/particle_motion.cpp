@@ -1,0 +1,41 @@
+#include "src/dem/cpu/particle_motion.hpp"
+
+#include <cmath>
+
+namespace demens::dem {
+namespace {
+
+//! Returns the largest speed squared.
+DEMENS_MULTIVERSION double move(Place* place, Motion* motion, Load* load, std::size_t count, double kick,
+                                double time_step, Vector3 const& gravity)
+{
+    double fastest = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        Motion& m = motion[i];
+        Load const l = load[i];
+        load[i] = {};
+        double const per_mass = kick / m.mass, per_inertia = kick / m.inertia;
+        m.vx += l.fx * per_mass + kick * gravity.x;
+        m.vy += l.fy * per_mass + kick * gravity.y;
+        m.vz += l.fz * per_mass + kick * gravity.z;
+        m.wx += l.tx * per_inertia;
+        m.wy += l.ty * per_inertia;
+        m.wz += l.tz * per_inertia;
+        place[i].x += time_step * m.vx;
+        place[i].y += time_step * m.vy;
+        place[i].z += time_step * m.vz;
+        double const speed = m.vx * m.vx + m.vy * m.vy + m.vz * m.vz;
+        fastest = speed > fastest ? speed : fastest;
+    }
+    return fastest;
+}
+
+} // namespace
+
+double move_particles(Particles& particles, double kick, double time_step, Vector3 const& gravity)
+{
+    return std::sqrt(move(particles.place.data(), particles.motion.data(), particles.load.data(),
+                          particles.owned(), kick, time_step, gravity));
+}
+
+} // namespace demens::dem

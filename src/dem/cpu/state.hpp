@@ -1,0 +1,41 @@
+#pragma once
+
+#include "demens/contact/range.hpp"
+#include "demens/dem/particles.hpp"
+#include "src/dem/cpu/contact_list.hpp"
+#include "src/dem/cpu/energy_tally.hpp"
+#include "src/dem/cpu/neighbours.hpp"
+#include "src/dem/wall_set.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace demens::dem {
+
+//! When the neighbour lists are due.
+struct ListClock
+{
+    bool is_stale = true;
+    double travelled = 0;  //!< bound on how far any body moved since the rebuild [m]
+    double near_until = 0; //!< distance travelled after which contacts are renewed [m]
+    NeighbourReach reach = {};
+    std::vector<contact::Range> ranges = {}; //!< of each law set, for the largest particle
+    std::int64_t rebuilds = 0;
+};
+
+//! All that a simulation is at one moment: one for each replica.
+struct State
+{
+    Particles particles = {}; //!< of this process
+    WallSet walls = {};
+    std::vector<WallLoad> wall_loads = {}; //!< by the particles of this process
+    ContactLists contacts = {};
+    EnergyTally tally = {}; //!< zero without the ledger
+    ListClock lists = {};
+    std::uint32_t particles_added = 0; //!< by all processes
+    std::int64_t steps_done = 0;
+    bool left_domain = false;
+    bool overlapping = false; //!< an overlap was beyond the limit since the last check
+};
+
+} // namespace demens::dem
