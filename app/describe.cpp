@@ -7,6 +7,7 @@
 #include "ensemble/input/nearest.hpp"
 #include "ensemble/input/option_range.hpp"
 #include "ensemble/input/toml_text.hpp"
+#include "tao_calib/fit_table/fit_input.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -133,9 +134,19 @@ void add_laws(CLI::App& program, Action& action)
 
 void add_keys(CLI::App& program, Action& action)
 {
-    auto* command = program.add_subcommand("keys", "all sections and keys of a campaign's TOML file");
-    command->callback([&action] {
-        action = [] {
+    auto of = std::make_shared<std::string>("campaign");
+    auto* command =
+        program.add_subcommand("keys", "all sections and keys of a campaign's TOML file, or of a fit's");
+    command->add_option("OF", *of, "campaign (default) or fit")->check(CLI::IsMember({"campaign", "fit"}));
+    command->callback([of, &action] {
+        action = [of] {
+            if (*of == "fit") {
+                for (auto const& section : tao_calib::fit_sections()) {
+                    print_section(section);
+                    fmt::print("\n");
+                }
+                return success;
+            }
             for (auto const& section : all_sections()) {
                 print_section(section);
                 fmt::print("\n");

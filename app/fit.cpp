@@ -8,19 +8,35 @@ namespace demens::cli {
 
 void add_fit(CLI::App& program, Action& action)
 {
-    auto file = std::make_shared<std::string>();
+    struct Options
+    {
+        std::string file;
+        bool csv = false, json = false;
+    };
+    auto options = std::make_shared<Options>();
     auto* command = program.add_subcommand(
         "fit", "regression, optimum and admissible region from a table of any program's results");
-    command->add_option("FILE.toml", *file, "names the table, its factors and its responses")->required();
-    command->callback([file, &action] {
-        action = [file] {
+    command
+        ->add_option("FILE.toml", options->file,
+                     "names the table, its factors and its responses; its keys: demens keys fit")
+        ->required();
+    auto* csv = command->add_flag("--csv", options->csv, "print a table of all numbers, with all digits");
+    command->add_flag("--json", options->json, "print a JSON document of all numbers, with all digits")
+        ->excludes(csv);
+    command->callback([options, &action] {
+        action = [options] {
             struct Mpi // TAO needs it, on one rank
             {
                 Mpi() { MPI_Init(nullptr, nullptr); }
                 ~Mpi() { MPI_Finalize(); }
             } const mpi;
-            fmt::print("{}", tao_calib::fit_table(*file));
-            return success;
+            using tao_calib::FitFormat;
+            auto const format = options->csv    ? FitFormat::csv
+                                : options->json ? FitFormat::json
+                                                : FitFormat::text;
+            auto const answer = tao_calib::fit_table(options->file, format);
+            fmt::print("{}", answer.output);
+            return answer.complete ? success : failure;
         };
     });
 }

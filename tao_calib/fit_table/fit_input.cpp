@@ -27,7 +27,13 @@ std::vector<OptionSpec> const factor_options = {
      .default_value = not_given,
      .doc = "upper bound; default the largest value in the table"},
     {.key = "log_scale", .default_value = false, .doc = "fit in the factor's logarithm"},
-    {.key = "fixed", .default_value = not_given, .doc = "value of the optimum and the admissible region"}};
+    {.key = "fixed", .default_value = not_given, .doc = "value of the optimum and the admissible region"},
+    {.key = "categorical",
+     .default_value = false,
+     .doc = "the numbers are names of levels without order; a column of words is categorical by itself"},
+    {.key = "fixed_level",
+     .default_value = std::string(),
+     .doc = "the same as fixed, of a categorical factor"}};
 
 std::vector<OptionSpec> const response_options = {
     {.key = "column",
@@ -59,7 +65,25 @@ std::vector<OptionSpec> const fit_options = {
     {.key = "hierarchy",
      .default_value = std::string("products"),
      .doc = "products: a product keeps its factors; strict: a square keeps its factor as well",
-     .choices = {"products", "strict"}}};
+     .choices = {"products", "strict"}},
+    {.key = "leave_out",
+     .default_value = std::vector<std::string>(),
+     .doc = "terms not to begin with, e.g. [\"a*b\", \"b^2\"]"},
+    {.key = "blocks",
+     .default_value = std::vector<std::string>(),
+     .doc = "columns of levels that shift the responses and are no part of the answer, e.g. days"},
+    {.key = "weights",
+     .default_value = std::string(),
+     .doc = "column of the runs' weights, 1/variance but for a factor; empty: all alike"},
+    {.key = "repeated_rows",
+     .default_value = std::string("keep"),
+     .doc = "what becomes of rows that repeat another in every number",
+     .choices = {"keep", "leave_out"}},
+    {.key = "confidence",
+     .default_value = 0.95,
+     .doc = "of the intervals of coefficients and predictions",
+     .lower = 0.5,
+     .upper = 0.9999}};
 
 std::vector<OptionSpec> const constraint_options = {{.key = "expression",
                                                      .default_value = std::string(),
@@ -69,8 +93,14 @@ std::vector<OptionSpec> const constraint_options = {{.key = "expression",
 FitFactor read_factor(InputTable const& table)
 {
     auto const values = table.read(factor_options);
-    FitFactor const factor{values.text("column"), values.number("lower"), values.number("upper"),
-                           values.flag("log_scale"), values.number("fixed")};
+    FitFactor const factor{values.text("column"),
+                           values.number("lower"),
+                           values.number("upper"),
+                           values.flag("log_scale"),
+                           values.number("fixed"),
+                           values.flag("categorical") ? FactorKind::categorical : FactorKind::continuous,
+                           values.text("fixed_level"),
+                           {}};
     if (factor.lower >= factor.upper)
         throw table.error("upper", fmt::format("must be above lower = {}", factor.lower));
     if (factor.fixed < factor.lower || factor.fixed > factor.upper)
@@ -115,7 +145,12 @@ FitInput FitInput::from_text(std::string const& toml, std::string const& origin)
     input.model = polynomial_model(options.text("model"));
     input.eliminate = options.text("selection") == "backward";
     input.elimination = {options.number("alpha"),
-                         options.text("hierarchy") == "strict" ? Hierarchy::strict : Hierarchy::products};
+                         options.text("hierarchy") == "strict" ? Hierarchy::strict : Hierarchy::products,
+                         {}};
+    input.leave_out = options.words("leave_out");
+    input.weights = options.text("weights");
+    input.keep_repeated = options.text("repeated_rows") == "keep";
+    input.confidence = options.number("confidence");
 
     std::vector<std::string> columns;
     auto unused = [&](InputTable const& table, std::string const& column) {
@@ -128,6 +163,11 @@ FitInput FitInput::from_text(std::string const& toml, std::string const& origin)
         unused(table, input.factors.back().column);
     }
     auto const names = columns;
+    for (auto const& block : options.words("blocks")) {
+        if (std::find(columns.begin(), columns.end(), block) != columns.end())
+            throw file.table("fit").error("blocks", fmt::format("`{}` is there twice", block));
+        columns.push_back(block);
+    }
     for (auto const& table : file.table_list("response")) {
         input.responses.push_back(read_response(table));
         unused(table, input.responses.back().column);
@@ -151,7 +191,23 @@ FitInput FitInput::from_text(std::string const& toml, std::string const& origin)
             throw table.error("expression", error.what());
         }
     }
+    for (auto const& block : options.words("blocks"))
+        input.factors.push_back({.column = block,
+                                 .lower = not_given,
+                                 .upper = not_given,
+                                 .fixed = not_given,
+                                 .kind = FactorKind::block});
     return input;
+}
+
+std::vector<ensemble::input::SectionInfo> const& fit_sections()
+{
+    static std::vector<ensemble::input::SectionInfo> const sections = {
+        {"[fit]", "the table and the model", fit_options},
+        {"[[factor]]", "a column that is an input of the runs", factor_options},
+        {"[[response]]", "a column that is an outcome of the runs", response_options},
+        {"[[constraint]]", "what the factors have to meet", constraint_options}};
+    return sections;
 }
 
 } // namespace demens::tao_calib

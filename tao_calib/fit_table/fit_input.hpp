@@ -1,11 +1,19 @@
 #pragma once
 
 #include "ensemble/input/campaign_input.hpp"
+#include "ensemble/input/input_options.hpp"
 #include "tao_calib/regression/regression.hpp"
 
 #include <filesystem>
 
 namespace demens::tao_calib {
+
+enum class FactorKind
+{
+    continuous,  //!< numbers
+    categorical, //!< levels without order
+    block        //!< levels that shift the responses, e.g. days; no part of the answer
+};
 
 //! A column of the table that is an input of the runs.
 struct FitFactor
@@ -14,6 +22,9 @@ struct FitFactor
     double lower, upper; //!< coded as -1 and 1; NaN: the smallest and largest value in the table
     bool log_scale = false;
     double fixed; //!< value at which the optimum and the admissible region are sought; NaN: they are free
+    FactorKind kind = FactorKind::continuous; //!< a column of words is categorical without being told so
+    std::string fixed_level = {};             //!< the same of a categorical factor; empty: free
+    std::vector<std::string> levels = {};     //!< of the table, for those that are not continuous
 };
 
 //! A column of the table that is an outcome of the runs.
@@ -22,7 +33,8 @@ struct FitResponse
     std::string column;
     double target;    //!< NaN: fitted only
     double tolerance; //!< deviation that is good enough; NaN: does not bound the admissible region
-    double scale;     //!< deviation that counts as one; NaN: the tolerance, or the scatter about the model
+    double scale; //!< deviation that counts as one; NaN: the tolerance, or the scatter about the model, or,
+                  //!< where a model meets every run, the range of the response
 };
 
 //! What to fit to a table of results from any program.
@@ -30,17 +42,24 @@ struct FitInput
 {
     std::string origin; //!< file in messages
     std::filesystem::path table;
-    std::vector<FitFactor> factors;
+    std::vector<FitFactor> factors; //!< blocks last
     std::vector<FitResponse> responses;
     std::vector<ensemble::LinearConstraint> constraints;
     PolynomialModel model = PolynomialModel::quadratic;
     bool eliminate = true; //!< leave out terms that do not matter
     EliminationOptions elimination;
+    std::vector<std::string> leave_out; //!< names of terms
+    std::string weights;                //!< column of the runs' weights; empty: all alike
+    bool keep_repeated = true;          //!< rows that repeat another in every number
+    double confidence = 0.95;           //!< of intervals
 
     //! \throws InputError with file, line, key, value and what would be right.
     static FitInput from_file(std::filesystem::path const& file);
     //! The same from text; the table's path is relative to the folder of `origin`.
     static FitInput from_text(std::string const& toml, std::string const& origin);
 };
+
+//! The sections of the file and their keys, for documentation.
+std::vector<ensemble::input::SectionInfo> const& fit_sections();
 
 } // namespace demens::tao_calib

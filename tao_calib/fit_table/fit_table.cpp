@@ -1,17 +1,21 @@
 #include "tao_calib/fit_table/fit_table.hpp"
 
+#include "tao_calib/fit_table/fit_document.hpp"
 #include "tao_calib/fit_table/fit_text.hpp"
 #include "tao_calib/solver/pounders.hpp"
 
 namespace demens::tao_calib {
 
-std::string fit_table(std::filesystem::path const& file)
+FitAnswer fit_table(std::filesystem::path const& file, FitFormat format)
 {
     auto input = FitInput::from_file(file);
     auto const table = text::CsvTable::from_file(input.table);
     TableFit const fit(std::move(input), table);
     PetscSession const petsc;
-    return fit_text(fit, fit_optima(fit, Pounders(petsc)), admissible_region(fit));
+    auto const optima = fit_optima(fit, Pounders(petsc));
+    auto const region = admissible_region(fit);
+    auto const write = format == FitFormat::text ? fit_text : format == FitFormat::csv ? fit_csv : fit_json;
+    return {write(fit, optima, region), fit.answers()};
 }
 
 } // namespace demens::tao_calib

@@ -5,8 +5,21 @@
 
 namespace demens::tao_calib {
 
-//! What `demens fit FILE.toml` prints: fits the table that the file names. MPI must be initialised. \throws
-//! InputError
-std::string fit_table(std::filesystem::path const& file);
+enum class FitFormat
+{
+    text,
+    csv,
+    json
+};
+
+//! What `demens fit FILE.toml` prints, and whether it answers what the file asks.
+struct FitAnswer
+{
+    std::string output;
+    bool complete; //!< every response with a target is fitted
+};
+
+//! Fits the table that the file names. MPI must be initialised. \throws InputError
+FitAnswer fit_table(std::filesystem::path const& file, FitFormat format = FitFormat::text);
 
 } // namespace demens::tao_calib

@@ -2,8 +2,10 @@
 
 #include "tao_calib/solver/multi_start.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace demens::tao_calib {
@@ -75,9 +77,8 @@ class Grid
     std::size_t size_;
 };
 
-bool within_tolerances(TableFit const& fit, VectorXd const& free_values)
+bool within_tolerances(TableFit const& fit, VectorXd const& predicted)
 {
-    VectorXd const predicted = fit.predict(free_values);
     for (std::size_t r = 0; r < fit.input().responses.size(); ++r) {
         auto const& response = fit.input().responses[r];
         if (!std::isnan(response.tolerance) &&
@@ -87,51 +88,109 @@ bool within_tolerances(TableFit const& fit, VectorXd const& free_values)
     return true;
 }
 
-} // namespace
-
-std::vector<FitOptimum> fit_optima(TableFit const& fit, LeastSquaresSolver const& solver, std::uint64_t seed)
+bool has_tolerance(TableFit const& fit)
 {
     auto const& responses = fit.input().responses;
-    std::vector<Index> targeted;
-    for (std::size_t r = 0; r < responses.size(); ++r)
-        if (!std::isnan(responses[r].target))
-            targeted.push_back(static_cast<Index>(r));
-    if (targeted.empty())
-        return {};
-
-    auto const& space = fit.free_space();
-    UnitCube const cube(space.factors(), space.constraints());
-    auto deviations = [&](VectorXd const& free_values) {
-        VectorXd const predicted = fit.predict(free_values);
-        VectorXd result(static_cast<Index>(targeted.size()));
-        for (std::size_t i = 0; i < targeted.size(); ++i)
-            result[static_cast<Index>(i)] =
-                (predicted[targeted[i]] - responses[targeted[i]].target) / responses[targeted[i]].scale;
-        return result;
-    };
-    LeastSquaresProblem const problem{cube.size(), static_cast<int>(targeted.size()),
-                                      [&](VectorXd const& unit) { return deviations(cube.to_values(unit)); }};
-    std::vector<FitOptimum> optima;
-    for (auto const& minimum :
-         distinct_minima(solver, problem, cube, spread_points(cube, starts, {}, seed), distinct)) {
-        auto const point = cube.to_design_point(minimum.point);
-        VectorXd const values = VectorXd::Map(point.data(), static_cast<Index>(point.size()));
-        optima.push_back({fit.all_values(values), fit.predict(values), deviations(values).squaredNorm()});
-    }
-    return optima;
+    return std::any_of(responses.begin(), responses.end(),
+                       [](FitResponse const& response) { return !std::isnan(response.tolerance); });
 }
 
-AdmissibleRegion admissible_region(TableFit const& fit, int grid_points)
+//! Deviations from the targets.
+class Deviations
+{
+  public:
+    explicit Deviations(TableFit const& fit) : responses_(fit.input().responses)
+    {
+        double unit = std::numeric_limits<double>::infinity();
+        for (std::size_t r = 0; r < responses_.size(); ++r)
+            if (!std::isnan(responses_[r].target)) {
+                targeted_.push_back(static_cast<Index>(r));
+                auto const& values = fit.fits()[r].regression().data().values;
+                unit = std::min(unit, responses_[r].scale / (values.maxCoeff() - values.minCoeff()));
+            }
+        unit_ = unit;
+    }
+    bool empty() const { return targeted_.empty(); }
+    int size() const { return static_cast<int>(targeted_.size()); }
+    //! In scales.
+    VectorXd of(VectorXd const& predicted) const
+    {
+        VectorXd result(static_cast<Index>(targeted_.size()));
+        for (std::size_t i = 0; i < targeted_.size(); ++i) {
+            auto const& response = responses_[static_cast<std::size_t>(targeted_[i])];
+            result[static_cast<Index>(i)] = (predicted[targeted_[i]] - response.target) / response.scale;
+        }
+        return result;
+    }
+    //! The same but for a factor that makes none larger than in ranges of the responses, whatever the scales
+    //! are: solvers have tolerances of their own.
+    VectorXd for_solver(VectorXd const& predicted) const { return unit_ * of(predicted); }
+
+  private:
+    std::vector<FitResponse> const& responses_;
+    std::vector<Index> targeted_;
+    double unit_ = 1;
+};
+
+//! Gauss-Newton steps from a minimum that a solver ended at within its tolerances. Central differences of
+//! polynomials of the second degree are exact.
+VectorXd polished(LeastSquaresProblem const& problem, UnitCube const& cube, VectorXd point)
+{
+    constexpr int steps = 10;
+    constexpr double h = 1e-3;
+    VectorXd residuals = problem.evaluate(point);
+    for (int step = 0; step < steps; ++step) {
+        Eigen::MatrixXd slope(residuals.size(), point.size());
+        for (Index k = 0; k < point.size(); ++k) {
+            VectorXd above = point, below = point;
+            above[k] = std::clamp(point[k], h, 1 - h) + h; // within the cube
+            below[k] = above[k] - 2 * h;
+            slope.col(k) = (problem.evaluate(above) - problem.evaluate(below)) / (2 * h);
+        }
+        VectorXd const next =
+            cube.project((point - VectorXd(slope.completeOrthogonalDecomposition().solve(residuals)))
+                             .cwiseMax(0)
+                             .cwiseMin(1));
+        VectorXd const left = problem.evaluate(next);
+        if (!(left.squaredNorm() < residuals.squaredNorm()))
+            break;
+        point = next;
+        residuals = left;
+    }
+    return point;
+}
+
+void add_optima(std::vector<FitOptimum>& optima, TableFit const& fit, Deviations const& deviations,
+                Levels const& levels, LeastSquaresSolver const& solver, std::uint64_t seed)
+{
+    auto const add = [&](VectorXd const& values) {
+        VectorXd const predicted = fit.predict(values, levels);
+        optima.push_back(
+            {fit.space().all_values(values, levels), predicted, deviations.of(predicted).squaredNorm()});
+    };
+    if (!fit.space().free()) {
+        add(VectorXd());
+        return;
+    }
+    auto const& space = fit.free_space();
+    UnitCube const cube(space.factors(), space.constraints());
+    LeastSquaresProblem const problem{cube.size(), deviations.size(), [&](VectorXd const& unit) {
+                                          return deviations.for_solver(
+                                              fit.predict(cube.to_values(unit), levels));
+                                      }};
+    int const some = std::max(3, starts / static_cast<int>(fit.space().choices().size()));
+    for (auto const& minimum :
+         distinct_minima(solver, problem, cube, spread_points(cube, some, {}, seed), distinct)) {
+        auto const point = cube.to_design_point(polished(problem, cube, minimum.point));
+        add(VectorXd::Map(point.data(), static_cast<Index>(point.size())));
+    }
+}
+
+//! Parts of the region that hang together on the grid; their shares are of its feasible points.
+std::vector<AdmissiblePart> parts_on_grid(TableFit const& fit, Levels const& levels, Grid const& grid)
 {
     auto const& space = fit.free_space();
-    Grid const grid(space.size(), grid_points);
-    AdmissibleRegion region{grid.per_factor(), {}};
-    bool const bounded =
-        std::any_of(fit.input().responses.begin(), fit.input().responses.end(),
-                    [](FitResponse const& response) { return !std::isnan(response.tolerance); });
-    if (!bounded)
-        return region;
-
+    std::vector<AdmissiblePart> parts;
     std::vector<bool> open(grid.size(), false); // admissible and not yet in a part
     std::size_t feasible = 0;
     for (std::size_t number = 0; number < grid.size(); ++number) {
@@ -139,13 +198,13 @@ AdmissibleRegion admissible_region(TableFit const& fit, int grid_points)
         if (!space.feasible(values))
             continue;
         ++feasible;
-        open[number] = within_tolerances(fit, values);
+        open[number] = within_tolerances(fit, fit.predict(values, levels));
     }
     for (std::size_t number = 0; number < grid.size(); ++number) {
         if (!open[number])
             continue;
         VectorXd const first = space.own_units(grid.unit(number));
-        AdmissiblePart part{first, first, 0};
+        AdmissiblePart part{first, first, 0, levels};
         std::vector<std::size_t> front{number};
         open[number] = false;
         for (std::size_t next = 0; next < front.size(); ++next) {
@@ -160,7 +219,67 @@ AdmissibleRegion admissible_region(TableFit const& fit, int grid_points)
             });
         }
         part.share = static_cast<double>(front.size()) / static_cast<double>(feasible);
-        region.parts.push_back(part);
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+std::vector<AdmissiblePart> part_of_random_points(TableFit const& fit, Levels const& levels)
+{
+    constexpr int points = 20000;
+    RandomStream random(1);
+    AdmissiblePart part{{}, {}, 0, levels};
+    for (int i = 0; i < points; ++i) {
+        VectorXd const values = fit.free_space().own_units(fit.free_space().sample(random));
+        if (!within_tolerances(fit, fit.predict(values, levels)))
+            continue;
+        part.lower = part.share == 0 ? values : VectorXd(part.lower.cwiseMin(values));
+        part.upper = part.share == 0 ? values : VectorXd(part.upper.cwiseMax(values));
+        part.share += 1.0 / points;
+    }
+    return part.share > 0 ? std::vector{part} : std::vector<AdmissiblePart>{};
+}
+
+} // namespace
+
+std::vector<FitOptimum> fit_optima(TableFit const& fit, LeastSquaresSolver const& solver, std::uint64_t seed)
+{
+    if (!fit.answers())
+        return {};
+    Deviations const deviations(fit);
+    if (deviations.empty())
+        return {};
+    std::vector<FitOptimum> optima;
+    for (auto const& levels : fit.space().choices())
+        add_optima(optima, fit, deviations, levels, solver, seed);
+    std::stable_sort(optima.begin(), optima.end(),
+                     [](auto const& a, auto const& b) { return a.sum_of_squares < b.sum_of_squares; });
+    return optima;
+}
+
+AdmissibleRegion admissible_region(TableFit const& fit, int grid_points)
+{
+    constexpr double coarsest = 4; // points a factor
+    AdmissibleRegion region;
+    if (!has_tolerance(fit) || !fit.answers())
+        return region;
+    auto const& choices = fit.space().choices();
+    for (auto const& levels : choices) {
+        std::vector<AdmissiblePart> parts;
+        if (!fit.space().free()) {
+            if (within_tolerances(fit, fit.predict(VectorXd(), levels)))
+                parts.push_back({VectorXd(), VectorXd(), 1, levels});
+        } else if (std::pow(grid_points, 1.0 / fit.free_space().size()) < coarsest) {
+            parts = part_of_random_points(fit, levels);
+        } else {
+            Grid const grid(fit.free_space().size(), grid_points / static_cast<int>(choices.size()));
+            region.points_per_factor = grid.per_factor();
+            parts = parts_on_grid(fit, levels, grid);
+        }
+        for (auto& part : parts) {
+            part.share /= static_cast<double>(choices.size());
+            region.parts.push_back(std::move(part));
+        }
     }
     std::stable_sort(region.parts.begin(), region.parts.end(),
                      [](auto const& a, auto const& b) { return a.share > b.share; });

@@ -4,7 +4,8 @@
 
 namespace demens::tao_calib {
 
-//! One line of an analysis of variance; F and p are NaN where nothing is tested.
+//! One line of an analysis of variance; F and p are NaN where nothing is tested or nothing scatters, the mean
+//! square without degrees of freedom.
 struct AnovaRow
 {
     std::string source;
@@ -29,9 +30,13 @@ struct Effect
 };
 std::vector<Effect> pareto(Regression const& regression);
 
-//! Share of each factor in the main effects: its standardised coefficient in a linear model, by size, over
-//! their sum.
+//! Share of each factor in the main effects: the spread of its part in a linear model over the sum of all
+//! [factors]. \throws InputError where the runs cannot carry that model
 Eigen::VectorXd influence_shares(RegressionData const& data);
+
+//! By what the variance of each coefficient exceeds that in an orthogonal design [terms]; NaN for the
+//! constant.
+Eigen::VectorXd variance_inflation(Regression const& regression);
 
 //! Runs as they would be if the other factors had no effect: mean prediction over all runs with this factor's
 //! value, plus the run's residual [runs].

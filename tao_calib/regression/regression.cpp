@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <limits>
 
 namespace demens::tao_calib {
 namespace {
@@ -16,8 +17,18 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double dependent =
-    1e-9; //!< share of a column that earlier columns do not explain, below which it is theirs
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+//! Share of a column that earlier columns do not explain, below which it is theirs.
+constexpr double dependent = 1e-9;
+
+//! Whether no column comes near a combination of others.
+bool clearly_independent(MatrixXd const& matrix)
+{
+    if (matrix.rows() < matrix.cols() || (matrix.colwise().norm().array() == 0).any())
+        return false;
+    Eigen::ColPivHouseholderQR<MatrixXd> const qr(matrix.colwise().normalized());
+    return qr.matrixR().diagonal().cwiseAbs().minCoeff() > 1e3 * dependent;
+}
 
 void check(RegressionData const& data, std::vector<Term> const& terms)
 {
@@ -38,6 +49,10 @@ void check(RegressionData const& data, std::vector<Term> const& terms)
     if (data.values.maxCoeff() - data.values.minCoeff() <= 1e-12 * data.values.cwiseAbs().maxCoeff())
         throw InputError(fmt::format("response `{}` is {} in all {} runs: there is nothing to fit",
                                      data.response, data.values[0], runs));
+    if (data.weights.size() > 0 &&
+        (data.weights.size() != runs || !(data.weights.array() > 0).all() || !data.weights.allFinite()))
+        throw InputError(
+            fmt::format("response `{}`: each of the {} runs needs a weight above 0", data.response, runs));
     if (auto const aliases = aliased_terms(data, terms); !aliases.empty())
         throw InputError(
             fmt::format("response `{}`: the runs cannot tell these terms apart: {}; leave terms out or "
@@ -50,20 +65,27 @@ void check(RegressionData const& data, std::vector<Term> const& terms)
 std::vector<std::string> aliased_terms(RegressionData const& data, std::vector<Term> const& terms)
 {
     MatrixXd const matrix = model_matrix(terms, data.coded);
-    MatrixXd independent(matrix.rows(), 0);
+    if (clearly_independent(matrix))
+        return {};
+    MatrixXd independent(matrix.rows(), 0), basis(matrix.rows(), 0); // the same space, of orthogonal columns
     std::vector<std::string> names, aliases;
     for (std::size_t t = 0; t < terms.size(); ++t) {
         VectorXd const column = matrix.col(static_cast<Index>(t));
         std::string const name = terms[t].name(data.factors);
-        VectorXd combination = VectorXd::Zero(independent.cols());
-        if (independent.cols() > 0)
-            combination = independent.colPivHouseholderQr().solve(column);
-        if ((column - independent * combination).norm() > dependent * column.norm()) {
-            independent.conservativeResize(Eigen::NoChange, independent.cols() + 1);
+        VectorXd rest = column;
+        for (int twice = 0; twice < 2; ++twice) // rounding of the first time
+            rest -= basis * (basis.transpose() * rest);
+        if (rest.norm() > dependent * column.norm()) {
+            for (auto* to : {&independent, &basis})
+                to->conservativeResize(Eigen::NoChange, to->cols() + 1);
             independent.rightCols(1) = column;
+            basis.rightCols(1) = rest.normalized();
             names.push_back(name);
             continue;
         }
+        VectorXd const combination = independent.cols() > 0
+                                         ? VectorXd(independent.colPivHouseholderQr().solve(column))
+                                         : VectorXd::Zero(0);
         std::string text;
         for (Index i = 0; i < combination.size(); ++i) {
             double const share = combination[i];
@@ -83,9 +105,14 @@ Regression::Regression(RegressionData data, std::vector<Term> terms) : data_(std
 {
     check(data_, terms);
     MatrixXd const matrix = model_matrix(terms, data_.coded);
-    VectorXd const scale = matrix.colwise().norm();
-    Eigen::ColPivHouseholderQR<MatrixXd> const qr(matrix * scale.cwiseInverse().asDiagonal());
-    VectorXd const solution = scale.cwiseInverse().asDiagonal() * VectorXd(qr.solve(data_.values));
+    bool const weighted = data_.weights.size() > 0;
+    VectorXd const root =
+        weighted ? VectorXd(data_.weights.cwiseSqrt()) : VectorXd::Ones(data_.values.size());
+    MatrixXd const rows = root.asDiagonal() * matrix;
+    VectorXd const scale = rows.colwise().norm();
+    Eigen::ColPivHouseholderQR<MatrixXd> const qr(rows * scale.cwiseInverse().asDiagonal());
+    VectorXd const solution =
+        scale.cwiseInverse().asDiagonal() * VectorXd(qr.solve(VectorXd(root.cwiseProduct(data_.values))));
     auto const size = matrix.cols();
     MatrixXd const inverse = qr.matrixR()
                                  .topLeftCorner(size, size)
@@ -93,14 +120,22 @@ Regression::Regression(RegressionData data, std::vector<Term> terms) : data_(std
                                  .solve(MatrixXd::Identity(size, size));
     inverse_root_ = scale.cwiseInverse().asDiagonal() * MatrixXd(qr.colsPermutation() * inverse);
     fitted_ = matrix * solution;
-    leverages_ = (matrix * inverse_root_).rowwise().squaredNorm();
+    leverages_ = (rows * inverse_root_).rowwise().squaredNorm();
 
+    constexpr double roundings = 100 * std::numeric_limits<double>::epsilon();
+    rounding_ = (rows.cwiseAbs() * solution.cwiseAbs()).squaredNorm() * roundings * roundings;
     for (std::size_t t = 0; t < terms.size(); ++t)
-        coefficients_.push_back({std::move(terms[t]), solution[static_cast<Index>(t)], 0, 0, 0});
+        coefficients_.push_back({std::move(terms[t]), solution[static_cast<Index>(t)], nan, nan, nan});
+    if (residual_degrees_of_freedom() < 1)
+        scatter_ = Scatter::saturated;
+    else if (residual_sum_of_squares() <= rounding_)
+        scatter_ = Scatter::none;
     double const sigma = residual_standard_deviation();
     for (std::size_t t = 0; t < coefficients_.size(); ++t) {
         auto& coefficient = coefficients_[t];
         coefficient.standard_error = sigma * inverse_root_.row(static_cast<Index>(t)).norm();
+        if (scatter_ != Scatter::known)
+            continue;
         coefficient.t = coefficient.value / coefficient.standard_error;
         coefficient.p = student_t_p_value(coefficient.t, residual_degrees_of_freedom());
     }
@@ -114,14 +149,32 @@ std::vector<Term> Regression::terms() const
     return result;
 }
 
+double Regression::weighted_mean(VectorXd const& numbers) const
+{
+    return data_.weights.size() == 0 ? numbers.mean() : data_.weights.dot(numbers) / data_.weights.sum();
+}
+
+double Regression::weighted_squares(Eigen::ArrayXd const& deviations) const
+{
+    if (data_.weights.size() == 0)
+        return deviations.square().sum();
+    return (data_.weights.array() * deviations.square()).sum();
+}
+
+double Regression::residual_sum_of_squares() const
+{
+    return weighted_squares(residuals().array());
+}
+
 double Regression::total_sum_of_squares() const
 {
-    return (data_.values.array() - data_.values.mean()).square().sum();
+    return weighted_squares(data_.values.array() - weighted_mean(data_.values));
 }
 
 double Regression::residual_standard_deviation() const
 {
-    return std::sqrt(residual_sum_of_squares() / residual_degrees_of_freedom());
+    int const degrees = residual_degrees_of_freedom();
+    return degrees < 1 ? nan : std::sqrt(residual_sum_of_squares() / degrees);
 }
 
 double Regression::r_squared() const
@@ -131,13 +184,25 @@ double Regression::r_squared() const
 
 double Regression::adjusted_r_squared() const
 {
-    return 1 - (residual_sum_of_squares() / residual_degrees_of_freedom()) /
-                   (total_sum_of_squares() / (runs() - 1));
+    int const degrees = residual_degrees_of_freedom();
+    if (degrees < 1)
+        return nan;
+    return 1 - (residual_sum_of_squares() / degrees) / (total_sum_of_squares() / (runs() - 1));
+}
+
+std::optional<int> Regression::run_of_leverage_one() const
+{
+    Index run = 0;
+    if (leverages_.maxCoeff(&run) > 1 - 1e-9)
+        return static_cast<int>(run);
+    return std::nullopt;
 }
 
 double Regression::prediction_sum_of_squares() const
 {
-    return (residuals().array() / (1 - leverages_.array())).square().sum();
+    if (run_of_leverage_one())
+        return nan;
+    return weighted_squares(residuals().array() / (1 - leverages_.array()));
 }
 
 VectorXd Regression::row(VectorXd const& coded) const
@@ -172,50 +237,6 @@ VectorXd Regression::gradient(VectorXd const& coded) const
                 slope[k] += coefficient.value * power * lower.value(coded);
         }
     return slope;
-}
-
-namespace {
-
-bool keeps(Term const& kept, Term const& by, Hierarchy hierarchy)
-{
-    bool const is_square =
-        by.degree() == 2 && *std::max_element(by.exponents.begin(), by.exponents.end()) == 2;
-    return !(kept == by) && kept.marginal_to(by) && (hierarchy == Hierarchy::strict || !is_square);
-}
-
-//! The least significant term that may go; nullptr when all have to stay.
-Coefficient const* weakest_of(std::vector<Coefficient> const& coefficients, EliminationOptions const& options)
-{
-    Coefficient const* weakest = nullptr;
-    for (auto const& candidate : coefficients) {
-        bool const kept = std::any_of(coefficients.begin(), coefficients.end(), [&](auto const& other) {
-            return keeps(candidate.term, other.term, options.hierarchy);
-        });
-        if (!kept && candidate.term.degree() > 0 && candidate.p > options.alpha &&
-            (weakest == nullptr || candidate.p > weakest->p))
-            weakest = &candidate;
-    }
-    return weakest;
-}
-
-} // namespace
-
-ReducedRegression eliminate_backward(RegressionData const& data, std::vector<Term> const& terms,
-                                     EliminationOptions const& options)
-{
-    ReducedRegression reduced{Regression(data, terms), {}};
-    if (reduced.regression.residual_degrees_of_freedom() < 1)
-        throw InputError(
-            fmt::format("response `{}`: {} runs leave nothing to test {} coefficients against: add runs or "
-                        "take a smaller model",
-                        data.response, data.values.size(), terms.size()));
-    while (auto const* weakest = weakest_of(reduced.regression.coefficients(), options)) {
-        reduced.eliminated.push_back({weakest->term, weakest->p});
-        auto kept = reduced.regression.terms();
-        std::erase(kept, reduced.eliminated.back().term);
-        reduced.regression = Regression(data, kept);
-    }
-    return reduced;
 }
 
 } // namespace demens::tao_calib

@@ -12,7 +12,11 @@ struct RegressionData
     std::vector<std::string> factors; //!< names
     std::string response;             //!< name
     Eigen::MatrixXd coded; //!< [runs x factors], -1 to 1 where p values of interactions are to mean something
-    Eigen::VectorXd values; //!< [runs]
+    Eigen::VectorXd values;          //!< [runs]
+    Eigen::VectorXd weights = {};    //!< inverse variances but for a factor [runs]; empty: all alike
+    std::vector<int> factor_of = {}; //!< factor of each column, where one has several; empty: each is its own
+
+    int factor(int column) const { return factor_of.empty() ? column : factor_of[column]; }
 };
 
 //! Estimate of one coefficient, and the test of whether it is zero.
@@ -20,9 +24,17 @@ struct Coefficient
 {
     Term term;
     double value;
-    double standard_error;
-    double t; //!< value / standard error: the standardised effect
-    double p; //!< of |t| when the coefficient is zero
+    double standard_error; //!< NaN without degrees of freedom
+    double t;              //!< value / standard error: the standardised effect; NaN without scatter
+    double p;              //!< of |t| when the coefficient is zero
+};
+
+//! What the residuals say of the runs' scatter.
+enum class Scatter
+{
+    known,
+    saturated, //!< no degree of freedom is left: nothing is known of it
+    none       //!< the model meets every run but for rounding
 };
 
 //! Least squares polynomial of one response, by QR with column pivoting.
@@ -41,33 +53,46 @@ class Regression
     std::vector<Term> terms() const;
     int runs() const { return static_cast<int>(data_.values.size()); }
     int residual_degrees_of_freedom() const { return runs() - static_cast<int>(coefficients_.size()); }
+    Scatter scatter() const { return scatter_; }
 
     Eigen::VectorXd const& fitted() const { return fitted_; }
     Eigen::VectorXd residuals() const { return data_.values - fitted_; }
     Eigen::VectorXd const& leverages() const { return leverages_; }
-    double residual_sum_of_squares() const { return residuals().squaredNorm(); }
-    double total_sum_of_squares() const; //!< about the mean
-    //! Standard deviation of the residual; NaN without degrees of freedom.
+    double residual_sum_of_squares() const; //!< weighted, as those below
+    double total_sum_of_squares() const;    //!< about the mean
+    //! Standard deviation of the residual, of weight 1; NaN without degrees of freedom.
     double residual_standard_deviation() const;
     double r_squared() const;
-    double adjusted_r_squared() const;
-    //! Sum of squares of each run less its prediction from all other runs (PRESS).
+    double adjusted_r_squared() const; //!< NaN without degrees of freedom
+    //! The run that alone determines a coefficient, if there is one: no other tells what it would be without
+    //! it.
+    std::optional<int> run_of_leverage_one() const;
+    //! Sum of squares of each run less its prediction from all other runs (PRESS); NaN with such a run.
     double prediction_sum_of_squares() const;
     double predicted_r_squared() const { return 1 - prediction_sum_of_squares() / total_sum_of_squares(); }
 
     double predict(Eigen::VectorXd const& coded) const;
     //! Of the predicted mean.
     double prediction_standard_error(Eigen::VectorXd const& coded) const;
+    //! Covariance of the coefficients over the residual variance is W W' [terms x terms].
+    Eigen::MatrixXd const& inverse_root() const { return inverse_root_; }
+    //! Mean of the runs' numbers by their weights.
+    double weighted_mean(Eigen::VectorXd const& numbers) const;
+    //! Residual sum of squares that rounding may leave of a model that meets every run.
+    double rounding_sum_of_squares() const { return rounding_; }
     //! Slope with respect to each coded factor.
     Eigen::VectorXd gradient(Eigen::VectorXd const& coded) const;
 
   private:
     Eigen::VectorXd row(Eigen::VectorXd const& coded) const;
+    double weighted_squares(Eigen::ArrayXd const& deviations) const;
 
     RegressionData data_;
     std::vector<Coefficient> coefficients_;
-    Eigen::MatrixXd inverse_root_; //!< W with W W' = (X'X)^-1
+    Eigen::MatrixXd inverse_root_; //!< W with W W' = (X'X)^-1, X of weighted rows
     Eigen::VectorXd fitted_, leverages_;
+    double rounding_ = 0;
+    Scatter scatter_ = Scatter::known;
 };
 
 //! Terms that the runs cannot tell from earlier ones, each as "C = A*B"; empty when all can be.
@@ -84,9 +109,10 @@ struct EliminationOptions
 {
     double alpha = 0.05; //!< a term whose p exceeds this may go
     Hierarchy hierarchy = Hierarchy::products;
+    std::vector<int> always = {}; //!< factors all of whose terms stay: blocks
 };
 
-//! A term that was left out, and the p value it had then.
+//! A term that was left out, and the p value it had then: of all columns of its factors together.
 struct Elimination
 {
     Term term;

@@ -56,6 +56,21 @@ PolynomialModel polynomial_model(std::string const& name)
 
 std::vector<Term> polynomial_terms(PolynomialModel model, int factors)
 {
+    return polynomial_terms(
+        model, columns_of_factors(std::vector<std::size_t>(static_cast<std::size_t>(factors), 0)));
+}
+
+std::vector<TermColumn> columns_of_factors(std::vector<std::size_t> const& levels)
+{
+    std::vector<TermColumn> columns;
+    for (std::size_t k = 0; k < levels.size(); ++k)
+        columns.push_back({static_cast<int>(k), levels[k] == 0 || levels[k] > 2});
+    return columns;
+}
+
+std::vector<Term> polynomial_terms(PolynomialModel model, std::vector<TermColumn> const& columns)
+{
+    int const factors = static_cast<int>(columns.size());
     auto product = [&](std::initializer_list<int> places) {
         Term term{std::vector<int>(factors, 0)};
         for (int k : places)
@@ -69,11 +84,13 @@ std::vector<Term> polynomial_terms(PolynomialModel model, int factors)
         return terms;
     for (int i = 0; i < factors; ++i)
         for (int j = i + 1; j < factors; ++j)
-            terms.push_back(product({i, j}));
+            if (columns[i].factor != columns[j].factor && columns[i].interacts && columns[j].interacts)
+                terms.push_back(product({i, j}));
     if (model == PolynomialModel::interaction)
         return terms;
     for (int k = 0; k < factors; ++k)
-        terms.push_back(product({k, k}));
+        if (columns[k].squared)
+            terms.push_back(product({k, k}));
     return terms;
 }
 

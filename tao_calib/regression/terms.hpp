@@ -35,6 +35,19 @@ PolynomialModel polynomial_model(std::string const& name);
 //! Constant, main effects, products, squares; in the order of the factors.
 std::vector<Term> polynomial_terms(PolynomialModel model, int factors);
 
+//! What a coded column can take part in.
+struct TermColumn
+{
+    int factor;            //!< columns of one factor have no products
+    bool squared = true;   //!< not with two levels, whose square is a constant
+    bool interacts = true; //!< not a block
+};
+//! The same of columns that are not all alike.
+std::vector<Term> polynomial_terms(PolynomialModel model, std::vector<TermColumn> const& columns);
+
+//! Factors that can carry a square: those of free values or at least three levels.
+std::vector<TermColumn> columns_of_factors(std::vector<std::size_t> const& levels);
+
 //! Value of each term at each coded point [points x terms].
 Eigen::MatrixXd model_matrix(std::vector<Term> const& terms, Eigen::MatrixXd const& coded);
 

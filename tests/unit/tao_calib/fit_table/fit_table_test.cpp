@@ -118,9 +118,11 @@ TEST(FitTable, TextSaysWhatWasFound)
 {
     auto const fit = fit_of(auger);
     auto const text = fit_text(fit, fit_optima(fit, pounders()), admissible_region(fit));
-    for (auto const* part : {"aor: 20 runs, R2 0.98", "adjusted 0.9740, predicted 0.94",
-                             "mu_s_pp*mu_r_pp             left out", "best point, sum of squares",
-                             "speed                                  800  fixed", "admissible region:"})
+    for (auto const* part :
+         {"aor: 20 runs, R2 0.98", "adjusted 0.9740, predicted 0.94", "mu_s_pp*mu_r_pp             left out",
+          "aor                                33.3201  target 33.2, deviation +0.12",
+          "mean 32.4702 to 34.1701, one run 31.7541 to 34.8862", "best point, sum of squares",
+          "speed                                  800  fixed", "admissible region:"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
@@ -157,12 +159,15 @@ TEST(FitTable, AdmissibleRegionsOfKnownShape)
 TEST(FitTable, LeavesOutRowsWithAWarning)
 {
     auto const fit = fit_of_table(plane + "1,,3\n0.2,0.3,\n1,1,3.9\n0,0,1.1\n");
-    EXPECT_EQ(fit.fits()[0].regression.runs(), 6); // the five and the repeat with another outcome
+    EXPECT_EQ(fit.fits()[0].regression().runs(), 7); // the five and both repeats
     ASSERT_EQ(fit.warnings().size(), 3u);
     EXPECT_EQ(fit.warnings()[0], "t.csv:7: left out, since `b` is missing");
-    EXPECT_EQ(
-        fit.warnings()[1],
-        "t.csv:9: left out, since it repeats line 5 in every number: a run that was repeated would scatter");
+    EXPECT_EQ(fit.warnings()[1],
+              "t.csv:9: repeats line 5 in every number; it is kept, as a run of its own. If it is a "
+              "copy: repeated_rows = \"leave_out\"");
+    auto const without = fit_of_table(plane + "1,1,3.9\n0,0,1.1\n", "repeated_rows = \"leave_out\"");
+    EXPECT_EQ(without.fits()[0].regression().runs(), 6);
+    EXPECT_EQ(without.warnings()[0], "t.csv:7: repeats line 5 in every number: left out");
     EXPECT_EQ(fit.warnings()[2], "t.csv: `y` is missing in line 8; fitted without");
 }
 

@@ -1,7 +1,9 @@
 #include "tao_calib/regression/analysis.hpp"
+#include "tao_calib/regression/own_units.hpp"
 #include "tao_calib/regression/table_column.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/base/random.hpp"
 #include "tao_calib/design/fractional_factorial.hpp"
 
 #include <cmath>
@@ -314,4 +316,95 @@ TEST(Regression, RefusesWhatItCannotFit)
               }),
               "response `y`: 4 runs leave nothing to test 4 coefficients against: add runs or take a smaller "
               "model");
+}
+
+// Variance inflation factors of Longley's data (NIST StRD gives the data, Chatterjee and Hadi the factors):
+// 135.53, 1788.51, 33.62, 3.59, 399.15, 758.98.
+TEST(Regression, VarianceInflationOfLongley)
+{
+    Eigen::MatrixXd x(16, 6);
+    x << 83.0, 234289, 2356, 1590, 107608, 1947, 88.5, 259426, 2325, 1456, 108632, 1948, 88.2, 258054, 3682,
+        1616, 109773, 1949, 89.5, 284599, 3351, 1650, 110929, 1950, 96.2, 328975, 2099, 3099, 112075, 1951,
+        98.1, 346999, 1932, 3594, 113270, 1952, 99.0, 365385, 1870, 3547, 115094, 1953, 100.0, 363112, 3578,
+        3350, 116219, 1954, 101.2, 397469, 2904, 3048, 117388, 1955, 104.6, 419180, 2822, 2857, 118734, 1956,
+        108.4, 442769, 2936, 2798, 120445, 1957, 110.8, 444546, 4681, 2637, 121950, 1958, 112.6, 482704, 3813,
+        2552, 123366, 1959, 114.2, 502601, 3931, 2514, 125368, 1960, 115.7, 518173, 4806, 2572, 127852, 1961,
+        116.9, 554894, 4007, 2827, 130081, 1962;
+    Eigen::VectorXd y(16);
+    y << 60323, 61122, 60171, 61187, 63221, 63639, 64989, 63761, 66019, 67857, 68169, 66513, 68655, 69564,
+        69331, 70551;
+    Regression const fit({{"x1", "x2", "x3", "x4", "x5", "x6"}, "y", x, y},
+                         polynomial_terms(PolynomialModel::linear, 6));
+    auto const factors = variance_inflation(fit);
+    double const expected[] = {135.53, 1788.51, 33.62, 3.59, 399.15, 758.98};
+    EXPECT_TRUE(std::isnan(factors[0]));
+    for (int k = 0; k < 6; ++k)
+        EXPECT_NEAR(factors[k + 1], expected[k], 0.006) << k;
+}
+
+// NIST StRD Wampler1: y = 1 + x + ... + x^5 without scatter, x = 0..20. All coefficients 1, R2 1, no error.
+TEST(Regression, WamplerOneHasNoScatter)
+{
+    RegressionData data{{"x"}, "y", Eigen::MatrixXd(21, 1), Eigen::VectorXd(21)};
+    std::vector<Term> terms;
+    for (int power = 0; power <= 5; ++power)
+        terms.push_back({{power}});
+    for (int i = 0; i <= 20; ++i) {
+        data.coded(i, 0) = i;
+        data.values[i] = 0;
+        for (int power = 0; power <= 5; ++power)
+            data.values[i] += std::pow(i, power);
+    }
+    Regression const fit(data, terms);
+    for (auto const& coefficient : fit.coefficients())
+        EXPECT_NEAR(coefficient.value, 1, 1e-7);
+    EXPECT_EQ(fit.scatter(), Scatter::none);
+    EXPECT_TRUE(std::isnan(analysis_of_variance(fit)[0].f));
+}
+
+// The same polynomial in other units: x = 100 + 50 u and ln z between 1 and e^2.
+TEST(Regression, OwnUnitsAreTheSamePolynomial)
+{
+    auto const data = central_composite_data();
+    Regression const fit(data, polynomial_terms(PolynomialModel::quadratic, 2));
+    auto const own = in_own_units(fit, {{"x", -2, 1.0 / 50}, {"ln(z)", -1, 1}});
+    ASSERT_EQ(own.size(), 6u);
+    char const* const names[] = {"constant", "x", "ln(z)", "x*ln(z)", "x^2", "ln(z)^2"};
+    double const x = 123, log_z = 1.7;
+    double const powers[] = {1, x, log_z, x * log_z, x * x, log_z * log_z};
+    double sum = 0;
+    for (int k = 0; k < 6; ++k) {
+        EXPECT_EQ(own[k].term, names[k]);
+        sum += own[k].value * powers[k];
+    }
+    EXPECT_NEAR(sum, fit.predict(Eigen::Vector2d(x / 50 - 2, log_z - 1)), 1e-10);
+    EXPECT_NEAR(own[4].standard_error, fit.coefficients()[4].standard_error / 2500,
+                1e-15); // x^2 alone makes x^2
+}
+
+// Terms leave one by one, from the covariance or by decompositions anew: the same ones either way.
+TEST(Regression, EliminationOfManyTermsIsThatOfRefits)
+{
+    constexpr int factors = 11, runs = 150; // 78 terms
+    RandomStream random(5);
+    Eigen::MatrixXd x(runs, factors);
+    std::vector<double> y;
+    for (int i = 0; i < runs; ++i) {
+        for (int k = 0; k < factors; ++k)
+            x(i, k) = 2 * random.uniform() - 1;
+        y.push_back(x(i, 0) - x(i, 1) * x(i, 2) + x(i, 3) * x(i, 3) + 0.3 * (random.uniform() - 0.5));
+    }
+    auto const data = data_of(x, y);
+    auto const terms = polynomial_terms(PolynomialModel::quadratic, factors);
+    auto const reduced = eliminate_backward(data, terms);
+    auto kept = terms;
+    for (auto const& [term, p] : reduced.eliminated) {
+        Regression const before(data, kept);
+        auto const place = std::find(kept.begin(), kept.end(), term);
+        ASSERT_NE(place, kept.end());
+        EXPECT_NEAR(before.coefficients()[static_cast<std::size_t>(place - kept.begin())].p, p, 1e-9);
+        kept.erase(place);
+    }
+    EXPECT_EQ(reduced.regression.terms(), kept);
+    EXPECT_GT(reduced.eliminated.size(), 60u);
 }
