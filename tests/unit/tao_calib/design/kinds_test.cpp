@@ -178,6 +178,22 @@ TEST(Designs, DOptimalInATriangle)
     EXPECT_NEAR(information(space, model, points), information(space, model, lattice), 1e-9);
 }
 
+// A factor of two levels has no square: the five terms left are carried best by all six combinations.
+TEST(Designs, DOptimalWithTwoLevels)
+{
+    auto options = of_kind(DesignKind::d_optimal);
+    options.points = 6;
+    auto factors = coded_factors(2);
+    factors[1].levels = {-1, 1};
+    auto const points = make_design(options, factors, {}, 1);
+    Eigen::MatrixXd factorial(6, 2);
+    factorial << -1, -1, 0, -1, 1, -1, -1, 1, 0, 1, 1, 1;
+    FactorSpace const space(factors, {});
+    auto const model = polynomial_terms(PolynomialModel::quadratic, columns_of_factors({0, 2}));
+    ASSERT_EQ(model.size(), 5u);
+    EXPECT_NEAR(information(space, model, points), information(space, model, factorial), 1e-9);
+}
+
 TEST(Designs, DOptimalSaysWhenItCannot)
 {
     auto options = of_kind(DesignKind::d_optimal);
@@ -185,7 +201,7 @@ TEST(Designs, DOptimalSaysWhenItCannot)
     EXPECT_THROW(make(options, 2), InputError); // six terms
     options.points = 8;
     auto factors = coded_factors(2);
-    factors[1].levels = {-1, 1}; // no square on two levels
+    factors[1].levels = {-1, 1 - 1e-15, 1}; // a third level that differs by rounding
     try {
         (void)make_design(options, factors, {}, 1);
         FAIL() << "a square on two levels";
