@@ -50,7 +50,7 @@ Decision decide(ensemble::Campaign const& campaign, LeastSquaresSolver const& so
         Assessment const assessment(campaign, solver);
         if (!campaign.waves.empty())
             decision.analysis = analysis_arrays(campaign, assessment);
-        decision.step = plan_next_wave(campaign, assessment);
+        decision.step = plan_next_wave(campaign, assessment, decision.analysis);
     } catch (std::exception const& problem) {
         decision.error = problem.what();
     }

@@ -222,21 +222,19 @@ VectorXd UnitCube::project(VectorXd const& unit) const
     VectorXd inwards = to_unit(from_shares(factors_, shares));
     for (double step = 1e-16; step < 1 && !feasible(to_values(inwards)); step *= 4)
         inwards = to_unit(from_shares(factors_, shares + step * (inside_ - shares)));
-    return inwards;
+    return feasible(to_values(inwards)) ? inwards : to_unit(from_shares(factors_, inside_));
 }
 
 VectorXd UnitCube::sample(RandomStream& random) const
 {
-    VectorXd unit(size());
-    constexpr int most_draws = 100000;
-    for (int draw = 0; draw < most_draws; ++draw) {
-        for (int k = 0; k < size(); ++k)
-            unit[k] = is_free(k) ? random.uniform() : 0;
-        unit = pinned(unit);
-        if (feasible(to_values(unit)))
-            return unit;
-    }
-    return to_unit(from_shares(factors_, inside_));
+    auto whole = [&](VectorXd const& free) {
+        VectorXd unit = VectorXd::Zero(size());
+        unit(free_) = free;
+        return pinned(unit);
+    };
+    VectorXd const unit = whole(
+        space_.sample_where([&](VectorXd const& free) { return feasible(to_values(whole(free))); }, random));
+    return feasible(to_values(unit)) ? unit : to_unit(from_shares(factors_, inside_));
 }
 
 //! The feasible combination of the nearest levels below and above that is nearest to `values`.

@@ -132,12 +132,24 @@ Design plan_sobol(Request const& request)
     auto const& space = request.space;
     SobolSequence sequence(space.size());
     std::vector<VectorXd> rows;
-    while (static_cast<int>(rows.size()) < points_of(request)) {
+    constexpr int most_passed_over = 100'000;
+    int const points = points_of(request);
+    for (int passed = 0; static_cast<int>(rows.size()) < points && passed < most_passed_over; ++passed) {
         VectorXd const values = space.own_units(sequence.next());
         if (space.feasible(values))
-            rows.push_back(values);
+            rows.push_back(values), passed = 0;
     }
-    return {matrix_of(rows, space.size()), {}};
+    auto const found = rows.size();
+    RandomStream random(request.seed);
+    while (static_cast<int>(rows.size()) < points)
+        rows.push_back(space.own_units(space.sample(random)));
+    Design design{matrix_of(rows, space.size()), {}};
+    if (found < rows.size())
+        design.notes.push_back(
+            fmt::format("the constraints leave so little room that {} of {} points are drawn at "
+                        "random in place of the sequence",
+                        rows.size() - found, rows.size()));
+    return design;
 }
 
 Design plan_full_factorial(Request const& request)

@@ -1,6 +1,7 @@
 #include "tao_calib/design/factor_space.hpp"
 
 #include "demens/base/error.hpp"
+#include "tao_calib/design/feasible_region.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,6 @@ namespace {
 
 using ensemble::Factor;
 
-constexpr int max_draws = 1'000'000;
 constexpr int middle_samples = 1000;
 
 void check(Factor const& factor)
@@ -75,6 +75,7 @@ FactorSpace::FactorSpace(std::vector<Factor> factors, std::vector<ensemble::Line
     middle_ = Eigen::VectorXd::Constant(size(), 0.5);
     if (!constrained())
         return;
+    find_room();
     RandomStream random(0);
     std::vector<Eigen::VectorXd> samples;
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(size());
@@ -143,20 +144,154 @@ std::string FactorSpace::violation(Eigen::VectorXd const& values) const
 
 Eigen::VectorXd FactorSpace::sample(RandomStream& random) const
 {
+    return sample_where([&](Eigen::VectorXd const& unit) { return feasible(own_units(unit)); }, random);
+}
+
+Eigen::VectorXd FactorSpace::sample_where(std::function<bool(Eigen::VectorXd const&)> const& inside,
+                                          RandomStream& random) const
+{
+    if (auto const drawn = rare_ ? std::nullopt : drawn_anywhere(inside, random))
+        return *drawn;
+    Eigen::VectorXd const corner = corners_[random.below(corners_.size())];
+    Eigen::VectorXd const towards = start_ + 0.9 * random.uniform() * (corner - start_);
+    return walk(inside(towards) ? towards : start_, corners_, inside, random);
+}
+
+std::optional<Eigen::VectorXd>
+FactorSpace::drawn_anywhere(std::function<bool(Eigen::VectorXd const&)> const& inside,
+                            RandomStream& random) const
+{
+    constexpr int most_draws = 3000; // a part smaller than one in a thousand is walked through
     Eigen::VectorXd unit(size());
-    for (int draw = 0; draw < max_draws; ++draw) {
+    for (int draw = 0; draw < most_draws; ++draw) {
         for (int k = 0; k < size(); ++k)
             unit[k] = random.uniform();
+        if (inside(unit))
+            return unit;
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+std::string texts_of(std::vector<ensemble::LinearConstraint> const& constraints)
+{
+    std::string texts;
+    for (auto const& constraint : constraints)
+        texts += (texts.empty() ? "`" : ", `") + constraint.text + "`";
+    return texts;
+}
+
+double to_unit(Factor const& factor, double value)
+{
+    double const unit = factor.log_scale
+                            ? std::log(value / factor.lower) / std::log(factor.upper / factor.lower)
+                            : (value - factor.lower) / (factor.upper - factor.lower);
+    return std::clamp(unit, 0.0, 1.0);
+}
+
+//! A point given in shares of the ranges, in the unit cube.
+Eigen::VectorXd in_unit_cube(std::vector<Factor> const& factors, Eigen::VectorXd const& shares)
+{
+    Eigen::VectorXd unit(shares.size());
+    for (Eigen::Index k = 0; k < shares.size(); ++k) {
+        auto const& factor = factors[static_cast<std::size_t>(k)];
+        unit[k] = to_unit(factor, factor.lower + shares[k] * (factor.upper - factor.lower));
+    }
+    return unit;
+}
+
+} // namespace
+
+void FactorSpace::find_room()
+{
+    FeasibleRegion const region(factors_, constraints_);
+    if (region.is_empty())
+        throw InputError(
+            fmt::format("no point within the bounds of the factors meets the constraints {}: widen the "
+                        "bounds or loosen a constraint",
+                        texts_of(constraints_)));
+    bool const discrete = std::any_of(factors_.begin(), factors_.end(),
+                                      [](auto const& factor) { return !factor.levels.empty(); });
+    if (region.is_flat() && !discrete)
+        throw InputError(
+            fmt::format("the constraints {} leave no room within the bounds of the factors but a surface, "
+                        "a line or a point: leave out a factor that the others fix, or loosen a "
+                        "constraint",
+                        texts_of(constraints_)));
+    for (auto const& corner : region.corners())
+        corners_.push_back(in_unit_cube(factors_, corner));
+    RandomStream random(1);
+    rare_ = !drawn_anywhere([&](Eigen::VectorXd const& unit) { return feasible(own_units(unit)); }, random);
+    start_ = in_unit_cube(factors_, region.centre());
+    if (feasible(own_units(start_)))
+        return;
+    if (auto const found = point_on_levels())
+        start_ = *found;
+    else
+        throw InputError(fmt::format("no point on the levels and within the bounds of the factors meets the "
+                                     "constraints {}: add levels, widen the bounds or loosen a constraint",
+                                     texts_of(constraints_)));
+}
+
+std::optional<Eigen::VectorXd> FactorSpace::point_on_levels() const
+{
+    constexpr int most_combinations = 20'000, most_draws = 1'000'000;
+    std::vector<int> discrete;
+    double combinations = 1;
+    for (int k = 0; k < size(); ++k)
+        if (auto const count = factors_[static_cast<std::size_t>(k)].levels.size(); count > 0) {
+            discrete.push_back(k);
+            combinations *= static_cast<double>(count);
+        }
+    RandomStream random(0);
+    if (combinations > most_combinations) {
+        for (int draw = 0; draw < most_draws; ++draw) {
+            Eigen::VectorXd unit(size());
+            for (double& x : unit)
+                x = random.uniform();
+            if (feasible(own_units(unit)))
+                return unit;
+        }
+        return std::nullopt;
+    }
+    for (int combination = 0; combination < static_cast<int>(combinations); ++combination) {
+        Eigen::VectorXd unit(size());
+        std::vector<Factor> left;
+        auto between = constraints_;
+        for (auto& constraint : between)
+            constraint.coefficients.clear();
+        int rest = combination;
+        for (int k = 0; k < size(); ++k) {
+            auto const& factor = factors_[static_cast<std::size_t>(k)];
+            auto const count = static_cast<int>(factor.levels.size());
+            if (count == 0)
+                left.push_back(factor);
+            else
+                unit[k] = (rest % count + 0.5) / count;
+            for (std::size_t c = 0; c < between.size(); ++c) {
+                double const coefficient = constraints_[c].coefficients[static_cast<std::size_t>(k)];
+                if (count == 0)
+                    between[c].coefficients.push_back(coefficient);
+                else
+                    between[c].bound -= coefficient * factor.levels[static_cast<std::size_t>(rest % count)];
+            }
+            if (count > 0)
+                rest /= count;
+        }
+        if (!left.empty()) {
+            FeasibleRegion const region(left, between);
+            if (region.is_empty())
+                continue;
+            Eigen::VectorXd const others = in_unit_cube(left, region.centre());
+            for (int k = 0, next = 0; k < size(); ++k)
+                if (factors_[static_cast<std::size_t>(k)].levels.empty())
+                    unit[k] = others[next++];
+        }
         if (feasible(own_units(unit)))
             return unit;
     }
-    std::string texts;
-    for (auto const& constraint : constraints_)
-        texts += (texts.empty() ? "`" : ", `") + constraint.text + "`";
-    throw InputError(
-        fmt::format("no point within the bounds of the factors meets the constraints {} ({} random points "
-                    "tried): widen the bounds or loosen a constraint",
-                    texts, max_draws));
+    return std::nullopt;
 }
 
 std::optional<Eigen::VectorXd> FactorSpace::pulled_inside(Eigen::VectorXd const& unit) const

@@ -4,6 +4,7 @@
 #include "ensemble/input/campaign_input.hpp"
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 
 namespace demens::tao_calib {
@@ -37,14 +38,28 @@ class FactorSpace
     Eigen::VectorXd const& middle() const { return middle_; }
     //! Draws a point of the unit cube, uniform over the part that is feasible.
     Eigen::VectorXd sample(RandomStream& random) const;
+    //! The same over the part that is `inside`, which must be feasible but for rounding or levels.
+    Eigen::VectorXd sample_where(std::function<bool(Eigen::VectorXd const&)> const& inside,
+                                 RandomStream& random) const;
     //! The last feasible point on the way from the middle of the feasible region to `unit`, or nothing when
     //! the levels of discrete factors leave none there.
     std::optional<Eigen::VectorXd> pulled_inside(Eigen::VectorXd const& unit) const;
 
   private:
+    //! A point that is inside, out of some thousand drawn anywhere.
+    std::optional<Eigen::VectorXd> drawn_anywhere(std::function<bool(Eigen::VectorXd const&)> const& inside,
+                                                  RandomStream& random) const;
+    //! Finds points to begin walks at. \throws InputError where there is no room
+    void find_room();
+    //! A combination of levels and the middle of what it leaves to the other factors.
+    std::optional<Eigen::VectorXd> point_on_levels() const;
+
     std::vector<ensemble::Factor> factors_;
     std::vector<ensemble::LinearConstraint> constraints_;
     Eigen::VectorXd middle_;
+    Eigen::VectorXd start_;                //!< well inside the feasible part, unit cube
+    std::vector<Eigen::VectorXd> corners_; //!< of it, levels left aside, unit cube
+    bool rare_ = false;                    //!< so small a part that drawing anywhere does not find it
 };
 
 } // namespace demens::tao_calib

@@ -8,7 +8,8 @@ namespace demens::tao_calib {
 
 using Eigen::VectorXd;
 
-Choice::Choice(Assessment const& assessment) : cube_(assessment.cube())
+Choice::Choice(Assessment const& assessment, double shrinking)
+    : cube_(assessment.cube()), feasibility_(assessment.locations()), shrinking_(shrinking)
 {
     for (auto const& location : assessment.locations().all())
         taken_.push_back(location.unit);
@@ -30,12 +31,17 @@ double Choice::distance(VectorXd const& unit) const
 
 bool Choice::is_new(VectorXd const& unit) const
 {
-    return distance(unit) > 0.02 * std::sqrt(unit.size());
+    return distance(unit) > spacing() && runs_well(unit);
+}
+
+double Choice::spacing() const
+{
+    return 0.02 * shrinking_ * std::sqrt(cube_.size());
 }
 
 bool Choice::is_other(VectorXd const& unit) const
 {
-    return distance(unit) > 0.001 * std::sqrt(unit.size());
+    return distance(unit) > 2e-4 * std::sqrt(unit.size()) && runs_well(unit);
 }
 
 void Choice::take(VectorXd const& unit)

@@ -1,6 +1,7 @@
 #include "tao_calib/wave/direct_search.hpp"
 
 #include "tao_calib/solver/multi_start.hpp"
+#include "tao_calib/wave/feasibility.hpp"
 
 #include <algorithm>
 #include <map>
@@ -33,13 +34,15 @@ Locations designed(ensemble::Campaign const& campaign, Assessment const& assessm
 class Answers
 {
   public:
-    Answers(Assessment const& assessment, int count) : assessment_(assessment), count_(count)
+    Answers(Assessment const& assessment, int count)
+        : assessment_(assessment), feasibility_(assessment.locations()), count_(count)
     {
         auto const ranked = assessment.locations().ranked();
+        worst_ = ranked.back()->responses;
         for (auto const& location : assessment.locations().all()) {
             std::vector<double> const point(location.factors.begin(), location.factors.end());
-            // Where runs failed the solver sees the worst that there was.
-            known_[point] = location.complete() ? location.responses : ranked.back()->responses;
+            // Where runs failed, or probably fail, the solver sees the worst that there was.
+            known_[point] = location.complete() ? location.responses : worst_;
         }
     }
 
@@ -48,6 +51,8 @@ class Answers
         auto const point = assessment_.cube().to_design_point(unit);
         if (auto const found = known_.find(point); found != known_.end())
             return found->second;
+        if (feasibility_.chance(unit) <= 0.5)
+            return worst_;
         if (std::find(missing_.begin(), missing_.end(), point) == missing_.end()) {
             if (static_cast<int>(missing_.size()) == count_)
                 throw Enough();
@@ -60,6 +65,8 @@ class Answers
 
   private:
     Assessment const& assessment_;
+    Feasibility feasibility_;
+    VectorXd worst_; //!< responses
     int count_;
     std::map<std::vector<double>, VectorXd> known_;
     std::vector<std::vector<double>> missing_;

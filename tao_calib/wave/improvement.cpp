@@ -50,8 +50,7 @@ double expected_improvement_of_squares(VectorXd const& means, VectorXd const& sd
            shape * scale * incomplete_gamma(shape + 1, least / scale);
 }
 
-void take_improvements(Assessment const& assessment, Feasibility const& feasibility, int count,
-                       std::uint64_t seed, Choice& choice)
+void take_improvements(Assessment const& assessment, int count, std::uint64_t seed, Choice& choice)
 {
     constexpr int draws = 1500, polished = 3;
     auto const& cube = assessment.cube();
@@ -60,13 +59,13 @@ void take_improvements(Assessment const& assessment, Feasibility const& feasibil
     double const least = best ? objective.search_residuals(best->responses).squaredNorm() : HUGE_VAL;
     if (!std::isfinite(least))
         return;
-    std::vector<VectorXd> chosen;
+    std::vector<VectorXd> chosen(choice.taken().end() - choice.size(), choice.taken().end());
     auto merit = [&](VectorXd const& unit) {
         VectorXd const responses = assessment.predict(unit), sd = assessment.assumed_sd(unit);
         VectorXd const spread =
             (objective.search_slopes(responses).array().square().matrix() * sd.cwiseAbs2()).cwiseSqrt();
         return expected_improvement_of_squares(objective.search_residuals(responses), spread, least) *
-               away_from(chosen, unit) * feasibility.chance(unit);
+               away_from(chosen, unit) * choice.chance(unit);
     };
 
     RandomStream random(seed);
@@ -78,7 +77,7 @@ void take_improvements(Assessment const& assessment, Feasibility const& feasibil
             VectorXd unit = cube.sample(random);
             if (i % 2 == 0)
                 unit = cube.project(assessment.minima().front().point +
-                                    0.2 * (unit - VectorXd::Constant(unit.size(), 0.5)));
+                                    0.2 * choice.shrinking() * (unit - VectorXd::Constant(unit.size(), 0.5)));
             candidates.push_back({merit(unit), unit});
         }
         std::stable_sort(candidates.begin(), candidates.end(),

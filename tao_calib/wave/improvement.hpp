@@ -16,7 +16,6 @@ double expected_improvement_of_squares(Eigen::VectorXd const& means, Eigen::Vect
 
 //! Points with the largest expected improvement, each weighed down near those chosen before it (local
 //! penalisation, Gonzalez et al. 2016) and where runs fail; until the choice holds `count` points.
-void take_improvements(Assessment const& assessment, Feasibility const& feasibility, int count,
-                       std::uint64_t seed, Choice& choice);
+void take_improvements(Assessment const& assessment, int count, std::uint64_t seed, Choice& choice);
 
 } // namespace demens::tao_calib

@@ -1,6 +1,7 @@
 #include "tao_calib/wave/plan.hpp"
 
 #include "tao_calib/design/design.hpp"
+#include "tao_calib/wave/progress.hpp"
 #include "tao_calib/wave/search.hpp"
 
 #include <algorithm>
@@ -142,18 +143,10 @@ NextStep more_design(Campaign const& campaign, Assessment const& assessment, Bud
     return wave(WavePurpose::design, std::move(points));
 }
 
-//! Search waves since the best location was first simulated.
-int waves_without_improvement(Campaign const& campaign, Location const& best)
-{
-    return static_cast<int>(
-        std::count_if(campaign.waves.begin(), campaign.waves.end(), [&](auto const& wave) {
-            return wave.purpose == WavePurpose::search && wave.number > best.first_wave;
-        }));
-}
-
 //! Why the fit is good enough, if it is.
 std::optional<std::string> goal_reached(Campaign const& campaign, Assessment const& assessment,
-                                        Location const& best)
+                                        Location const& best,
+                                        std::vector<ensemble::NamedArray> const& analysis)
 {
     auto const& stop = campaign.input.stop;
     double const wmse = assessment.objective().wmse(best.responses);
@@ -162,11 +155,17 @@ std::optional<std::string> goal_reached(Campaign const& campaign, Assessment con
                            stop.wmse);
     if (stop.within_tolerance && assessment.objective().within_tolerance(best.responses))
         return "every target with a tolerance is met within it";
+    // POUNDERS on the simulation has an end of its own.
+    if (stop.no_improvement_waves > 0 &&
+        campaign.input.search.kind != ensemble::SearchKind::pounders_direct && met_within_noise(assessment) &&
+        intervals_settled(campaign, analysis))
+        return "every target is met within a tenth of its standard deviation, and the intervals no longer "
+               "change";
     return std::nullopt;
 }
 
 //! Why the search cannot or need not go on, if so. Keeps points for the confirmation.
-std::optional<std::string> search_exhausted(Campaign const& campaign, Location const& best,
+std::optional<std::string> search_exhausted(Campaign const& campaign, Assessment const& assessment,
                                             Budget const& budget)
 {
     auto const& stop = campaign.input.stop;
@@ -176,9 +175,8 @@ std::optional<std::string> search_exhausted(Campaign const& campaign, Location c
         return fmt::format("the budget of {} runs is spent (stop.runs)", stop.runs);
     if (waves_of(campaign, WavePurpose::search) >= stop.waves)
         return fmt::format("{} waves have searched (stop.waves)", stop.waves);
-    if (stop.no_improvement_waves > 0 &&
-        waves_without_improvement(campaign, best) >= stop.no_improvement_waves)
-        return fmt::format("{} waves in a row found nothing better (stop.no_improvement_waves)",
+    if (stop.no_improvement_waves > 0 && waves_in_vain(campaign, assessment) >= stop.no_improvement_waves)
+        return fmt::format("{} waves in a row found nothing better beyond noise (stop.no_improvement_waves)",
                            stop.no_improvement_waves);
     return std::nullopt;
 }
@@ -203,11 +201,20 @@ NextStep confirm_or_finish(Campaign const& campaign, Location const& best, Budge
 }
 
 //! Why the search has no further point.
-std::string nothing_left(Campaign const& campaign)
+std::string nothing_left(Campaign const& campaign, Assessment const& assessment)
 {
-    return campaign.input.search.kind == ensemble::SearchKind::pounders_direct
-               ? "POUNDERS on the simulation has come to its end"
-               : "every combination of the factors' levels has been simulated";
+    if (campaign.input.search.kind == ensemble::SearchKind::pounders_direct)
+        return "POUNDERS on the simulation has come to its end";
+    auto const& free = assessment.cube().free_factors();
+    bool const counted = std::all_of(free.begin(), free.end(), [&](int factor) {
+        return !assessment.cube().factor(factor).levels.empty();
+    });
+    if (assessment.locations().failed_runs() > 0)
+        return fmt::format(
+            "every point left is close to one that has been simulated, or lies where runs fail{}",
+            counted ? ", on the levels of the factors" : "");
+    return counted ? "every combination of the factors' levels has been simulated"
+                   : "every point left is close to one that has been simulated";
 }
 
 } // namespace
@@ -215,7 +222,8 @@ std::string nothing_left(Campaign const& campaign)
 //! A single run of a packing scatters, and the best of many runs is a lucky one. So a campaign ends only when
 //! its best location has been repeated with fresh packings and is still the best: every repetition enters the
 //! mean of its location, and whichever location is best then is repeated in turn.
-NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment)
+NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment,
+                        std::vector<ensemble::NamedArray> const& analysis)
 {
     Budget const budget(campaign);
     if (campaign.waves.empty() && has_screening(campaign.input))
@@ -234,8 +242,8 @@ NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment)
         return more_design(campaign, assessment, budget);
 
     Location const& best = *assessment.locations().best();
-    auto const goal = goal_reached(campaign, assessment, best);
-    auto const exhausted = search_exhausted(campaign, best, budget);
+    auto const goal = goal_reached(campaign, assessment, best, analysis);
+    auto const exhausted = search_exhausted(campaign, assessment, budget);
     if (goal || exhausted) {
         auto const step = confirm_or_finish(campaign, best, budget, goal ? *goal : *exhausted);
         if (step.kind == NextStep::Kind::simulate || exhausted || is_confirmed(campaign, best))
@@ -246,7 +254,7 @@ NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment)
         search_points(campaign, assessment, std::min(batch_size(campaign), budget.points - reserve(campaign)),
                       wave_seed(campaign));
     if (points.empty())
-        return confirm_or_finish(campaign, best, budget, nothing_left(campaign));
+        return confirm_or_finish(campaign, best, budget, nothing_left(campaign, assessment));
     return wave(WavePurpose::search, std::move(points));
 }
 

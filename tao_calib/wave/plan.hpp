@@ -24,6 +24,8 @@ struct NextStep
 
 //! Decides by the campaign's content and seed alone, never by the number of ranks. `assessment` is the
 //! campaign's.
-NextStep plan_next_wave(ensemble::Campaign const& campaign, Assessment const& assessment);
+//! \param analysis arrays of the last wave, where they are not stored with it yet
+NextStep plan_next_wave(ensemble::Campaign const& campaign, Assessment const& assessment,
+                        std::vector<ensemble::NamedArray> const& analysis = {});
 
 } // namespace demens::tao_calib

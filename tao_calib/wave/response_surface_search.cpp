@@ -1,5 +1,7 @@
 #include "tao_calib/wave/response_surface_search.hpp"
 
+#include "tao_calib/wave/progress.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,16 +10,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double widest = 0.35, narrowest = 0.03; // move limits, half widths in shares of the ranges
-
-//! Search waves after the one in which the best location was first simulated.
-int waves_in_vain(ensemble::Campaign const& campaign, Location const& best)
-{
-    return static_cast<int>(
-        std::count_if(campaign.waves.begin(), campaign.waves.end(), [&](auto const& wave) {
-            return wave.purpose == ensemble::WavePurpose::search && wave.number > best.first_wave;
-        }));
-}
+constexpr double widest = 0.35, narrowest = 0.01; // move limits, half widths in shares of the ranges
 
 std::vector<std::unique_ptr<Surrogate>> local_quadratics(Assessment const& assessment, VectorXd const& centre,
                                                          double limit)
@@ -45,7 +38,7 @@ void take_response_surface_points(ensemble::Campaign const& campaign, Assessment
         return;
     auto const& cube = assessment.cube();
     auto const& objective = assessment.objective();
-    double const limit = std::max(narrowest, widest * std::pow(0.5, waves_in_vain(campaign, *best)));
+    double const limit = std::max(narrowest, widest * std::pow(0.5, waves_in_vain(campaign, assessment)));
     auto const fits = local_quadratics(assessment, best->unit, limit);
     VectorXd const lower = (best->unit.array() - limit).max(0), upper = (best->unit.array() + limit).min(1);
     auto inside = [&](VectorXd const& share) {
@@ -60,7 +53,7 @@ void take_response_surface_points(ensemble::Campaign const& campaign, Assessment
                                       }};
     VectorXd const start = (best->unit - lower).cwiseQuotient((upper - lower).cwiseMax(1e-9));
     VectorXd const minimum = choice.simulated(inside(assessment.solver().minimise(problem, start, {}).point));
-    if (choice.is_new(minimum))
+    if (choice.is_other(minimum))
         choice.take(minimum);
 
     constexpr int candidates = 300;

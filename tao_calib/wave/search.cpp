@@ -2,8 +2,8 @@
 
 #include "tao_calib/wave/choice.hpp"
 #include "tao_calib/wave/direct_search.hpp"
-#include "tao_calib/wave/feasibility.hpp"
 #include "tao_calib/wave/improvement.hpp"
+#include "tao_calib/wave/progress.hpp"
 #include "tao_calib/wave/response_surface_search.hpp"
 
 #include <algorithm>
@@ -24,9 +24,10 @@ struct Candidate
     double chance = 1;   //!< that its runs are good
 };
 
-//! Candidates: half anywhere, half around the best predicted point at three ranges.
+//! Candidates: half anywhere, half around the best predicted point at three ranges, which shrink with the
+//! region that is searched.
 std::vector<Candidate> draw_candidates(Assessment const& assessment, Choice const& choice,
-                                       Feasibility const& feasibility, RandomStream& random)
+                                       RandomStream& random)
 {
     constexpr int count = 1000;
     constexpr std::array<double, 3> ranges{0.4, 0.2, 0.1};
@@ -37,14 +38,15 @@ std::vector<Candidate> draw_candidates(Assessment const& assessment, Choice cons
         VectorXd unit = cube.sample(random);
         if (i % 2 == 0) {
             for (int j = 0; j < cube.size(); ++j)
-                unit[j] = best[j] + ranges[i / 2 % 3] * (random.uniform() + random.uniform() - 1);
+                unit[j] = best[j] +
+                          choice.shrinking() * ranges[i / 2 % 3] * (random.uniform() + random.uniform() - 1);
             unit = cube.project(unit);
         }
         unit = choice.simulated(unit);
         if (choice.is_new(unit))
             candidates.push_back({unit,
                                   assessment.objective().search_residuals(assessment.predict(unit)).norm(),
-                                  choice.distance(unit), feasibility.chance(unit)});
+                                  choice.distance(unit), choice.chance(unit)});
     }
     return candidates;
 }
@@ -68,9 +70,8 @@ Candidate const& most_deserving(std::vector<Candidate> const& candidates, double
                              [&](auto const& a, auto const& b) { return merit(a) < merit(b); });
 }
 
-//! The best predicted point and further minima that promise more than the best location, where runs do not
-//! fail.
-void take_minima(Assessment const& assessment, Feasibility const& feasibility, int most, Choice& choice)
+//! The best predicted point and further minima that promise more than the best location.
+void take_minima(Assessment const& assessment, int most, Choice& choice)
 {
     Location const* best = assessment.locations().best();
     double const to_beat = best ? assessment.objective().search_residuals(best->responses).squaredNorm()
@@ -80,21 +81,20 @@ void take_minima(Assessment const& assessment, Feasibility const& feasibility, i
         bool const promises = minimum.sum_of_squares < to_beat;
         VectorXd const unit = choice.simulated(minimum.point);
         bool const apart = choice.is_new(unit) || (first && promises && choice.is_other(unit));
-        if (choice.size() < most && apart && feasibility.chance(unit) > 0.5 && (first || promises))
+        if (choice.size() < most && apart && (first || promises))
             choice.take(unit);
     }
 }
 
 //! Candidates in turn from promising to unknown, until there are `count` points.
-void take_candidates(Assessment const& assessment, Feasibility const& feasibility, int count,
-                     std::uint64_t seed, Choice& choice)
+void take_candidates(Assessment const& assessment, int count, std::uint64_t seed, Choice& choice)
 {
     constexpr std::array<double, 4> weights{0.95, 0.8, 0.5, 0.3};
     RandomStream random(seed);
     for (std::size_t turn = 0; choice.size() < count; ++turn) {
-        auto const candidates = draw_candidates(assessment, choice, feasibility, random);
+        auto const candidates = draw_candidates(assessment, choice, random);
         if (candidates.empty())
-            break; // discrete factors can be used up
+            break; // discrete factors can be used up, or what is left is where runs fail
         choice.take(most_deserving(candidates, weights[turn % weights.size()]).unit);
     }
 }
@@ -108,24 +108,32 @@ std::vector<std::vector<double>> search_points(ensemble::Campaign const& campaig
     auto const kind = campaign.input.search.kind;
     if (kind == SearchKind::pounders_direct)
         return direct_points(campaign, assessment, count);
-    Choice choice(assessment);
-    Feasibility const feasibility(assessment.locations());
+    // Every wave in vain halves the region about the predicted optimum, and how close points may lie.
+    constexpr double least_shrinking = 1.0 / 64;
+    Choice choice(assessment, std::max(least_shrinking, std::pow(0.5, waves_in_vain(campaign, assessment))));
+    if (kind != SearchKind::surrogate_minima)
+        take_minima(assessment, std::min(count, 1), choice); // or the predicted optimum is never simulated
     if (kind == SearchKind::response_surface)
         take_response_surface_points(campaign, assessment, count, seed, choice);
     else if (kind == SearchKind::expected_improvement)
-        take_improvements(assessment, feasibility, count, seed, choice);
+        take_improvements(assessment, count, seed, choice);
     else if (kind == SearchKind::surrogate_minima)
-        take_minima(assessment, feasibility, std::max(1, count / 2), choice);
-    take_candidates(assessment, feasibility, count, seed, choice);
+        take_minima(assessment, std::max(1, count / 2), choice);
+    take_candidates(assessment, count, seed, choice);
     return choice.points();
 }
 
 std::vector<std::vector<double>> filling_points(Assessment const& assessment, int count, std::uint64_t seed)
 {
+    constexpr int to_choose_from = 4;
     Choice choice(assessment);
-    for (auto const& unit : spread_points(assessment.cube(), count, choice.taken(), seed))
-        if (choice.is_new(choice.simulated(unit)))
-            choice.take(choice.simulated(unit));
+    auto spread = spread_points(assessment.cube(), to_choose_from * count, choice.taken(), seed);
+    std::stable_sort(spread.begin(), spread.end(),
+                     [&](auto const& a, auto const& b) { return choice.chance(a) > choice.chance(b); });
+    for (auto const& unit : spread)
+        if (VectorXd const point = choice.simulated(unit);
+            choice.size() < count && choice.distance(point) > choice.spacing())
+            choice.take(point);
     return choice.points();
 }
 

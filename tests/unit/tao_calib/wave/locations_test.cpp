@@ -57,6 +57,17 @@ TEST_F(LocationsTest, TheBestHasTheSmallestErrorOfItsMeans)
     EXPECT_EQ(locations.ranked()[1], &locations.all()[0]);
 }
 
+TEST_F(LocationsTest, APartOfThemHasTheBestAndIsSpread)
+{
+    // Eleven places, the targets met at 1.0: of four, two are the best ones and two the ends.
+    for (int i = 0; i <= 10; ++i)
+        run(0.2 * i, i, 0, 10 + std::abs(0.2 * i - 1)), run(0.2 * i, i, 1, 5 + 0.01 * i);
+    EXPECT_EQ(locations.best_and_spread(4), (std::vector<std::size_t>{0, 4, 5, 10}));
+    EXPECT_TRUE(locations.best_and_spread(11).empty());
+    EXPECT_EQ(locations.samples(0, {0, 4, 5, 10}).values.size(), 4);
+    EXPECT_DOUBLE_EQ(locations.samples(0, {0, 4, 5, 10}).values[3], 11);
+}
+
 TEST_F(LocationsTest, FailedRunsGiveNoValues)
 {
     run(0.5, 0, 0, 10), run(0.5, 0, 1, 99, rig::RunStatus::escaped);

@@ -180,6 +180,65 @@ TEST(WavePlan, StopsWhenNothingImproves)
     EXPECT_NEAR(stand_in.stored("optimum/mean_square_residual").front(), 1, 1e-3);
 }
 
+TEST(WavePlan, EndsOnceTheAnswerIsKnownWithinTheMeasurement)
+{
+    // No tolerance: every target is met far within its sd after the first search, and no run can tell more.
+    auto stand_in = line(std::numeric_limits<double>::quiet_NaN());
+    stand_in.campaign.input.stop.runs = 200;
+    stand_in.run_to_the_end();
+    EXPECT_NE(stand_in.campaign.ended.find("within a tenth of its standard deviation"), std::string::npos)
+        << stand_in.campaign.ended;
+    EXPECT_LE(stand_in.runs(), 4 + 2 * 4 + 1);
+    EXPECT_NEAR(stand_in.stored("optimum/best_point").front(), 0.3, 0.001);
+    // More factors than targets: which ones meet them is never known, yet the intervals settle.
+    StandIn ring(
+        [](std::vector<double> const& f, int) {
+            return std::vector<double>{std::hypot(f[0], f[1], f[2]), 0.1 * f[1]};
+        },
+        {0.0, 0.0});
+    static auto const rig = response_names({"speed", "y"});
+    ring.campaign.input = stand_in.campaign.input;
+    ring.campaign.input.factors = {{"vx", "vx", 0.1, 1.0}, {"vy", "vy", 0.1, 1.0}, {"vz", "vz", -0.05, 0.05}};
+    auto& experiment = ring.campaign.input.experiments.front();
+    experiment.rig = &rig;
+    experiment.responses = rig.responses;
+    experiment.targets = {{"speed", 0, 1.0, 0.01, 0.01, std::numeric_limits<double>::quiet_NaN()},
+                          {"y", 1, 0.06, 0.001, 0.001, std::numeric_limits<double>::quiet_NaN()}};
+    ring.campaign.input.design.points = 0;
+    ring.run_to_the_end();
+    EXPECT_LE(ring.runs(), 50) << ring.campaign.ended;
+}
+
+TEST(WavePlan, ALuckierRunIsNoImprovement)
+{
+    // Runs scatter by 2.9 times the sd of the targets: the best of many is a lucky one, and a luckier one
+    // will come along for ever.
+    double sum = 0;
+    constexpr int campaigns = 10;
+    for (int seed = 1; seed <= campaigns; ++seed) {
+        static auto const rig = response_names({"a", "b"});
+        StandIn stand_in(
+            [](std::vector<double> const& f, int) {
+                return std::vector<double>{f[0] + 0.1 * f[1], f[0] + f[1]};
+            },
+            {0.029, 0.029});
+        auto& input = stand_in.campaign.input;
+        input = line(std::numeric_limits<double>::quiet_NaN()).campaign.input;
+        input.seed = static_cast<std::uint64_t>(seed);
+        input.factors = {{"x", "x", 0.0, 1.0}, {"v", "v", 0.0, 1.0}};
+        auto& experiment = input.experiments.front();
+        experiment.rig = &rig;
+        experiment.responses = rig.responses;
+        experiment.targets = {{"a", 0, 0.55, 0.01, 0.01, std::numeric_limits<double>::quiet_NaN()},
+                              {"b", 1, 0.95, 0.01, 0.01, std::numeric_limits<double>::quiet_NaN()}};
+        input.design.points = 12;
+        input.stop.runs = 1000;
+        stand_in.run_to_the_end();
+        sum += stand_in.runs();
+    }
+    EXPECT_LE(sum / campaigns, 60) << sum / campaigns;
+}
+
 TEST(WavePlan, GoesOnWhereRunsFail)
 {
     auto stand_in = draw_down_campaign({0.9, 0.6, 0.25}, {0, 0, 0, 0}, 2);

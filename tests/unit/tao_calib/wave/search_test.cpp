@@ -155,6 +155,92 @@ TEST(Feasibility, IsLearntFromWhereRunsFail)
     EXPECT_EQ(Feasibility(Locations(objective, cube)).chance(VectorXd{{0.5, 0.5}}), 1);
 }
 
+TEST(Feasibility, SpendsNoRunsWhereRunsFailOnceTheRestIsUsedUp)
+{
+    // Runs blow up beyond a quarter of the range, and no target can be met: what is left apart from them is
+    // soon simulated, and then the search must end, not go back.
+    static auto const rig = response_names({"height"});
+    StandIn stand_in(
+        [](std::vector<double> const& f, int) {
+            if (f[0] < -5)
+                throw std::runtime_error("overlap beyond the limit");
+            return std::vector<double>{0.006 + 0.0001 * f[0] * f[0]};
+        },
+        {0.0});
+    auto& input = stand_in.campaign.input;
+    input.factors = {{"vz", "vz", -20.0, 0.0}};
+    ensemble::Experiment experiment;
+    experiment.name = "box";
+    experiment.rig = &rig;
+    experiment.responses = rig.responses;
+    double const none = std::numeric_limits<double>::quiet_NaN();
+    experiment.targets = {{"height", 0, 0.0052, 0.0005, none, none}};
+    input.experiments = {experiment};
+    input.design.points = 12;
+    input.stop.waves = 12;
+    input.stop.runs = 100;
+    input.stop.no_improvement_waves = 0;
+    stand_in.run_to_the_end();
+    int failed = 0, searched = 0;
+    for (auto const& wave : stand_in.campaign.waves)
+        for (auto const& run : wave.runs)
+            if (wave.purpose == ensemble::WavePurpose::search) {
+                ++searched;
+                failed += run.status != rig::RunStatus::finished;
+            }
+    EXPECT_GT(searched, 3);
+    EXPECT_LE(failed, 2);
+    EXPECT_EQ(stand_in.campaign.ended.find("levels"), std::string::npos) << stand_in.campaign.ended;
+}
+
+class SearchKinds : public ::testing::TestWithParam<SearchKind>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Search, SearchKinds,
+                         ::testing::Values(SearchKind::surrogate_minima, SearchKind::rbf_distance,
+                                           SearchKind::response_surface, SearchKind::expected_improvement),
+                         [](auto const& info) { return word_for(info.param); });
+
+TEST_P(SearchKinds, MeetsNarrowTolerancesOfASmoothSimulation)
+{
+    // Rebound, contact time and overlap of a ball, closed forms of restitution, friction and stiffness, the
+    // latter over three decades; targets to be met within half a per cent, without scatter.
+    static auto const rig = response_names({"tangential", "normal", "time", "overlap"});
+    auto const formula = [](std::vector<double> const& f, int) {
+        double const mu = f[0], e = f[1], stiffness = f[2] / 1e8;
+        return std::vector<double>{1 - mu * (1 + e) * 0.2679, e,
+                                   413 * std::pow(stiffness, -0.4) * (1 + 0.1 * (1 - e)),
+                                   32 * std::pow(stiffness, -0.4) * (0.9 + 0.1 * e)};
+    };
+    for (auto const& truth :
+         {std::vector{0.2, 0.73, 2.5e7}, std::vector{0.31, 0.52, 3e8}, std::vector{0.12, 0.85, 4e6}}) {
+        StandIn stand_in(formula, {0, 0, 0, 0});
+        auto& input = stand_in.campaign.input;
+        input.factors = {{"mu", "mu", 0.05, 0.5}, {"e", "e", 0.3, 0.95}, {"E", "E", 1e6, 1e9, true}};
+        ensemble::Experiment experiment;
+        experiment.name = "ob";
+        experiment.rig = &rig;
+        experiment.responses = rig.responses;
+        auto const values = formula(truth, 0);
+        for (int t = 0; t < 4; ++t) {
+            double const value = values[static_cast<std::size_t>(t)];
+            experiment.targets.push_back({rig.responses[static_cast<std::size_t>(t)].name, t, value,
+                                          0.02 * value, std::numeric_limits<double>::quiet_NaN(),
+                                          0.005 * value});
+        }
+        input.experiments = {experiment};
+        input.search.kind = GetParam();
+        input.stop.runs = 150;
+        input.stop.no_improvement_waves = 50;
+        input.stop.confirmation = 0;
+        stand_in.run_to_the_end();
+        EXPECT_LE(stand_in.runs(), 60) << stand_in.campaign.ended;
+        EXPECT_NE(stand_in.campaign.ended.find("tolerance is met"), std::string::npos)
+            << stand_in.campaign.ended;
+    }
+}
+
 TEST(Feasibility, KeepsTheSearchOutOfWhereRunsFail)
 {
     // The optimum is at (0.3, 0.45) beside a region b > 0.5 where nothing flows; after the design, most
