@@ -33,11 +33,12 @@ struct RunRecord
     std::optional<dem::EnergyLedger> energy = {}; //!< at the end, of a run with the ledger
 };
 
-//! Snapshots (e.g. "settled", "final"; without velocities) and series of one run.
+//! Snapshots (e.g. "settled", "final"; without velocities), series and profiles of one run.
 struct RunDetails
 {
     std::vector<rig::Snapshot> snapshots;
     rig::Series series;
+    std::vector<rig::Profile> profiles = {};
 };
 
 //! An array that the calibration stores with a wave; `stored` lists them.

@@ -142,11 +142,15 @@ json details_of_shown_runs(ensemble::Campaign const& campaign, Analysis const& a
                       {"run", run->run},
                       {"is_best", best_point && run->factors == best_point->data},
                       {"snapshots", json::array()},
-                      {"series", json::array()}};
+                      {"series", json::array()},
+                      {"profiles", json::array()}};
         try {
             auto const details = details_of(run->run);
             entry["snapshots"] = pictures_of(details.snapshots);
-            entry["series"] = series_of(details.series);
+            entry["series"] = columns_of(details.series);
+            for (auto const& profile : details.profiles)
+                entry["profiles"].push_back(
+                    {{"name", profile.name}, {"doc", profile.doc}, {"columns", columns_of(profile.curve)}});
         } catch (InputError const& error) {
             entry["absent"] = error.what();
         }

@@ -162,7 +162,7 @@ json pictures_of(std::vector<rig::Snapshot> const& snapshots)
     return pictures;
 }
 
-json series_of(rig::Series const& series)
+json columns_of(rig::Series const& series)
 {
     json columns = json::array();
     for (std::size_t c = 0; c < series.columns.size(); ++c) {

@@ -11,7 +11,7 @@ namespace demens::report {
 //! x and y. Lengths are whole multiples of `quantum` [m] from `origin`; particles are ordered from the back
 //! to the front.
 nlohmann::json pictures_of(std::vector<rig::Snapshot> const& snapshots);
-//! Columns over time, thinned to what a plot can show.
-nlohmann::json series_of(rig::Series const& series);
+//! Columns over the first one, thinned to what a plot can show.
+nlohmann::json columns_of(rig::Series const& series);
 
 } // namespace demens::report

@@ -131,6 +131,7 @@ void write_header(hid_t file, CampaignInput const& input)
     write_experiments(file, input.experiments);
     hdf5::make_group(file, "/waves");
     hdf5::make_group(file, "/series");
+    hdf5::make_group(file, "/profiles");
     hdf5::make_group(file, "/snapshots");
 }
 

@@ -13,6 +13,11 @@ std::string series_path(int wave, std::string const& experiment)
     return fmt::format("/series/{:04}/{}/", wave, experiment);
 }
 
+std::string profiles_path(int wave, std::string const& experiment)
+{
+    return fmt::format("/profiles/{:04}/{}", wave, experiment);
+}
+
 std::string snapshots_path(int wave)
 {
     return fmt::format("/snapshots/{:04}/", wave);
@@ -23,23 +28,22 @@ hdf5::Meaning number(std::string doc)
     return {{"1"}, {}, std::move(doc)};
 }
 
-std::size_t samples_of(rig::Series const& series)
+//! Curves of one kind of all runs, e.g. their time series, to be stored below a path.
+struct Curves
 {
-    return series.columns.empty() ? 0 : series.columns.front().size();
-}
+    std::string path, doc;
+    std::vector<rig::Series const*> of_runs; //!< null: the run has none
+};
 
-//! Series of all runs of one experiment, one below the other. Every run has a row in `samples` and
-//! `first_sample`.
-void write_series(RowWriter const& writer, int wave, std::vector<RunRecord> const& runs,
-                  std::vector<RunDetails> const& details, int experiment, std::string const& experiment_name)
+//! The curves, one below the other. Every run has a row in `samples` and `first_sample`.
+void write_curves(RowWriter const& writer, Curves const& curves)
 {
     std::vector<std::string> labels;
-    for (std::size_t i = 0; i < runs.size(); ++i)
-        for (std::size_t k = 0; runs[i].experiment == experiment && k < details[i].series.names.size(); ++k)
-            labels.push_back(details[i].series.names[k] + "\t" + details[i].series.units.at(k));
+    for (auto const* curve : curves.of_runs)
+        for (std::size_t k = 0; curve && k < curve->names.size(); ++k)
+            labels.push_back(curve->names[k] + "\t" + curve->units.at(k));
     labels = writer.all_texts(labels);
-    hdf5::Meaning meaning{
-        {}, {}, "time series of all runs, one below the other; see first_sample and samples"};
+    hdf5::Meaning meaning{{}, {}, curves.doc};
     for (auto const& label : labels) {
         meaning.columns.push_back(label.substr(0, label.find('\t')));
         meaning.units.push_back(label.substr(label.find('\t') + 1));
@@ -47,29 +51,81 @@ void write_series(RowWriter const& writer, int wave, std::vector<RunRecord> cons
 
     std::vector<double> values;
     std::vector<std::int64_t> first, count;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        auto const& series = details[i].series;
-        auto const samples = runs[i].experiment == experiment ? samples_of(series) : 0;
+    for (auto const* curve : curves.of_runs) {
+        auto const samples = curve ? curve->rows() : 0;
         first.push_back(static_cast<std::int64_t>(values.size() / std::max<std::size_t>(1, labels.size())));
         count.push_back(static_cast<std::int64_t>(samples));
         for (std::size_t s = 0; s < samples; ++s)
             for (auto const& name : meaning.columns) {
                 auto const k =
-                    std::find(series.names.begin(), series.names.end(), name) - series.names.begin();
-                values.push_back(static_cast<std::size_t>(k) < series.columns.size()
-                                     ? series.columns[static_cast<std::size_t>(k)].at(s)
+                    std::find(curve->names.begin(), curve->names.end(), name) - curve->names.begin();
+                values.push_back(static_cast<std::size_t>(k) < curve->columns.size()
+                                     ? curve->columns[static_cast<std::size_t>(k)].at(s)
                                      : std::numeric_limits<double>::quiet_NaN());
             }
     }
-    auto const base = series_path(wave, experiment_name);
     if (!labels.empty()) {
         auto const shift = static_cast<std::int64_t>(writer.first_row(values.size() / labels.size()));
         for (auto& row : first)
             row += shift;
-        writer.write(base + "values", values, meaning, labels.size());
+        writer.write(curves.path + "values", values, meaning, labels.size());
     }
-    writer.write(base + "first_sample", first, number("first row in values, one entry per run of the wave"));
-    writer.write(base + "samples", count, number("number of rows in values, one entry per run of the wave"));
+    writer.write(curves.path + "first_sample", first,
+                 number("first row in values, one entry per run of the wave"));
+    writer.write(curves.path + "samples", count,
+                 number("number of rows in values, one entry per run of the wave"));
+}
+
+//! Series and profiles of all runs of one experiment.
+void write_curves(RowWriter const& writer, int wave, std::vector<RunRecord> const& runs,
+                  std::vector<RunDetails> const& details, int experiment, std::string const& experiment_name)
+{
+    Curves series{series_path(wave, experiment_name),
+                  "time series of all runs, one below the other; see first_sample and samples",
+                  {}};
+    std::vector<std::string> labels; // names and meanings of profiles
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        bool const is_own = runs[i].experiment == experiment;
+        series.of_runs.push_back(is_own ? &details[i].series : nullptr);
+        for (std::size_t k = 0; is_own && k < details[i].profiles.size(); ++k)
+            labels.push_back(details[i].profiles[k].name + "\t" + details[i].profiles[k].doc);
+    }
+    write_curves(writer, series);
+    for (auto const& label : writer.all_texts(labels)) {
+        auto const name = label.substr(0, label.find('\t'));
+        Curves curves{profiles_path(wave, experiment_name) + "/" + name + "/",
+                      label.substr(label.find('\t') + 1),
+                      std::vector<rig::Series const*>(runs.size(), nullptr)};
+        for (std::size_t i = 0; i < runs.size(); ++i)
+            for (auto const& profile : details[i].profiles)
+                if (runs[i].experiment == experiment && profile.name == name)
+                    curves.of_runs[i] = &profile.curve;
+        write_curves(writer, curves);
+    }
+}
+
+//! The curve of the run in a row; without columns where it has none.
+rig::Series read_curve(hid_t file, std::string const& path, std::size_t row)
+{
+    rig::Series curve;
+    if (!hdf5::exists(file, path + "values"))
+        return curve;
+    auto const first = hdf5::read_rows<std::int64_t>(file, path + "first_sample", row, 1).data.front();
+    auto const count = hdf5::read_rows<std::int64_t>(file, path + "samples", row, 1).data.front();
+    if (count == 0)
+        return curve;
+    auto const values = hdf5::read_rows<double>(file, path + "values", static_cast<std::size_t>(first),
+                                                static_cast<std::size_t>(count));
+    curve.names = hdf5::texts_attribute(file, path + "values", "columns");
+    curve.units = hdf5::texts_attribute(file, path + "values", "units");
+    auto const width = values.shape.at(1);
+    curve.units.resize(width, curve.units.empty() ? "1" : curve.units.front());
+    for (std::size_t k = 0; k < width; ++k) {
+        auto& column = curve.columns.emplace_back();
+        for (std::size_t i = k; i < values.data.size(); i += width)
+            column.push_back(values.data[i]);
+    }
+    return curve;
 }
 
 std::vector<double> column_of(hdf5::Array<float> const& table, std::size_t column)
@@ -94,7 +150,7 @@ void write_details(RowWriter const& writer, int wave, std::vector<RunRecord> con
                    std::vector<RunDetails> const& details, CampaignInput const& input)
 {
     for (std::size_t e = 0; e < input.experiments.size(); ++e)
-        write_series(writer, wave, runs, details, static_cast<int>(e), input.experiments[e].name);
+        write_curves(writer, wave, runs, details, static_cast<int>(e), input.experiments[e].name);
 
     std::vector<float> particles, walls, lines;
     std::vector<int> run;
@@ -149,23 +205,13 @@ void write_details(RowWriter const& writer, int wave, std::vector<RunRecord> con
 RunDetails read_details(hid_t file, int wave, std::size_t row, std::string const& experiment)
 {
     RunDetails details;
-    auto const series = series_path(wave, experiment);
-    if (hdf5::exists(file, series + "values")) {
-        auto const first = hdf5::read_rows<std::int64_t>(file, series + "first_sample", row, 1).data.front();
-        auto const count = hdf5::read_rows<std::int64_t>(file, series + "samples", row, 1).data.front();
-        auto const values = hdf5::read_rows<double>(file, series + "values", static_cast<std::size_t>(first),
-                                                    static_cast<std::size_t>(count));
-        details.series.names = hdf5::texts_attribute(file, series + "values", "columns");
-        details.series.units = hdf5::texts_attribute(file, series + "values", "units");
-        auto const width = values.shape.at(1);
-        details.series.units.resize(width, details.series.units.empty() ? "1" : details.series.units.front());
-        for (std::size_t k = 0; count > 0 && k < width; ++k) {
-            auto& column = details.series.columns.emplace_back();
-            for (std::size_t i = k; i < values.data.size(); i += width)
-                column.push_back(values.data[i]);
-        }
-        if (count == 0)
-            details.series = {};
+    details.series = read_curve(file, series_path(wave, experiment), row);
+    auto const profiles = profiles_path(wave, experiment);
+    for (auto const& name : hdf5::children(file, profiles)) {
+        auto const path = profiles + "/" + name + "/";
+        if (auto curve = read_curve(file, path, row); curve.rows() > 0)
+            details.profiles.push_back(
+                {name, hdf5::text_attribute(file, path + "values", "doc"), std::move(curve)});
     }
 
     auto const base = snapshots_path(wave);

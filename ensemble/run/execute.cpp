@@ -87,7 +87,8 @@ FinishedRun execute(CampaignInput const& input, RunRecord const& plan, rig::RunH
 {
     auto const begin = std::chrono::steady_clock::now();
     auto result = simulate(input, plan, hooks);
-    FinishedRun run{plan, {std::move(result.snapshots), std::move(result.series)}};
+    FinishedRun run{plan,
+                    {std::move(result.snapshots), std::move(result.series), std::move(result.profiles)}};
     run.record.status = result.status;
     run.record.reason = std::move(result.reason);
     run.record.responses = std::move(result.responses);

@@ -1,4 +1,4 @@
-// Time series of the shown runs, and how the campaign used its time and ranks.
+// Curves of the shown runs, over time and, profiles, over another axis; how the campaign used its time and ranks.
 
 function show_series(parent) {
     const shown = campaign.details.filter((details) => details.series.length > 1 && details.series[0].values.length > 1);
@@ -8,7 +8,13 @@ function show_series(parent) {
         const row = element('div', {class: 'columns', style: 'grid-template-columns: repeat(3, 1fr)'});
         parent.append(row);
         const [time, ...columns] = details.series;
-        for (const column of columns) show_line(row, details.experiment, time, column);
+        for (const column of columns)
+            show_line(row, `series-${details.experiment}-${column.name}`, label_of(column.name, column.units), time, column);
+        for (const profile of details.profiles) {
+            const [along, value] = profile.columns;
+            show_line(row, `profile-${details.experiment}-${profile.name}`, `${profile.name}: ${label_of(value.name, value.units)}`,
+                along, value);
+        }
     }
 }
 
@@ -17,12 +23,12 @@ function title_of_details(details) {
     return `${experiment}run ${details.run}, ` + (details.is_best ? 'at the best point' : 'the last one that finished');
 }
 
-function show_line(parent, experiment, time, column) {
+function show_line(parent, id, title, time, column) {
     const points = time.values.map((t, i) => ({t, y: column.values[i]})).filter((point) => known(point.t) && known(point.y));
     if (points.length === 0) return;
-    plot(parent, `series-${experiment}-${column.name}`, {
+    plot(parent, id, {
         width: 290, height: 160,
-        title: {text: label_of(column.name, column.units)},
+        title: {text: title},
         data: [{name: 'points', values: points}],
         scales: [linear('x', 'width', extent(points.map((p) => p.t), 0), {nice: false}),
                  linear('y', 'height', extent(points.map((p) => p.y)))],

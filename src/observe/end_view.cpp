@@ -25,10 +25,10 @@ std::pair<int, int> EndView::columns_between(double from, double to) const
     return {std::max(0, first), std::min(pixels_, end)};
 }
 
-void EndView::draw(dem::Particles const& particles)
+void EndView::draw(std::span<dem::Place const> places)
 {
     std::fill(image_.begin(), image_.end(), std::uint8_t{0});
-    for (dem::Place const& p : particles.place) {
+    for (dem::Place const& p : places) {
         auto const [first_row, end_row] = columns_between(p.z - p.radius, p.z + p.radius);
         for (int row = first_row; row < end_row; ++row) {
             double const dz = centre(row) - p.z,

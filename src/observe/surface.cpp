@@ -2,19 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
 namespace demens::observe {
 
-SurfaceProfile surface_profile(dem::Particles const& particles, double from_x, double to_x, int points,
-                               double empty, std::function<bool(dem::Place const&)> const& select)
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+SurfaceProfile surface_profile(std::span<dem::Place const> places, double from_x, double to_x, int points,
+                               std::function<bool(dem::Place const&)> const& select)
 {
-    SurfaceProfile profile{{}, std::vector<double>(static_cast<std::size_t>(points), empty), empty};
+    SurfaceProfile profile{{}, std::vector<double>(static_cast<std::size_t>(points), none)};
     double const step = (to_x - from_x) / points;
     for (int k = 0; k < points; ++k)
         profile.x.push_back(from_x + (k + 0.5) * step);
-    for (dem::Place const& p : particles.place) {
+    for (dem::Place const& p : places) {
         if (!select(p))
             continue;
         int const first = std::max(0, static_cast<int>(std::ceil((p.x - p.radius - from_x) / step - 0.5)));
@@ -24,16 +27,16 @@ SurfaceProfile surface_profile(dem::Particles const& particles, double from_x, d
             double const dx = profile.x[static_cast<std::size_t>(k)] - p.x;
             double const top = p.z + std::sqrt(std::max(0.0, p.radius * p.radius - dx * dx));
             auto& z = profile.z[static_cast<std::size_t>(k)];
-            z = std::max(z, top);
+            z = std::isnan(z) ? top : std::max(z, top);
         }
     }
     return profile;
 }
 
-double mean_surface_height(dem::Particles const& particles, double width)
+SurfaceMap surface_map(std::span<dem::Place const> places, double width)
 {
     std::map<std::pair<long, long>, double> tops;
-    for (dem::Place const& p : particles.place) {
+    for (dem::Place const& p : places) {
         auto const first = [&](double x) {
             return static_cast<long>(std::ceil((x - p.radius) / width - 0.5));
         };
@@ -52,10 +55,31 @@ double mean_surface_height(dem::Particles const& particles, double width)
                     column->second = std::max(column->second, top);
             }
     }
-    double sum = 0;
+    SurfaceMap map{width, {}};
     for (auto const& [column, top] : tops)
-        sum += top;
-    return sum / static_cast<double>(tops.size());
+        map.columns.push_back({column.first, column.second, top});
+    return map;
+}
+
+double SurfaceMap::mean_height() const
+{
+    double sum = 0;
+    for (auto const& column : columns)
+        sum += column.top;
+    return sum / static_cast<double>(columns.size());
+}
+
+SurfaceProfile SurfaceMap::along_x() const
+{
+    SurfaceProfile profile;
+    for (std::size_t first = 0, end; first < columns.size(); first = end) {
+        double sum = 0;
+        for (end = first; end < columns.size() && columns[end].i == columns[first].i; ++end)
+            sum += columns[end].top;
+        profile.x.push_back((static_cast<double>(columns[first].i) + 0.5) * width);
+        profile.z.push_back(sum / static_cast<double>(end - first));
+    }
+    return profile;
 }
 
 double Line::angle_deg() const
@@ -83,15 +107,15 @@ Line fit_line(std::vector<double> const& x, std::vector<double> const& y)
     return line;
 }
 
-Line fit_line(SurfaceProfile const& profile, double from_x, double to_x)
+Line fit_line(std::vector<double> const& x, std::vector<double> const& y, double from_x, double to_x)
 {
-    std::vector<double> x, z;
-    for (std::size_t k = 0; k < profile.x.size(); ++k)
-        if (profile.x[k] >= from_x && profile.x[k] <= to_x && profile.z[k] > profile.empty) {
-            x.push_back(profile.x[k]);
-            z.push_back(profile.z[k]);
+    std::vector<double> inner_x, inner_y;
+    for (std::size_t k = 0; k < x.size(); ++k)
+        if (x[k] >= from_x && x[k] <= to_x && !std::isnan(y[k])) {
+            inner_x.push_back(x[k]);
+            inner_y.push_back(y[k]);
         }
-    return fit_line(x, z);
+    return fit_line(inner_x, inner_y);
 }
 
 } // namespace demens::observe

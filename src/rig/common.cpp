@@ -1,7 +1,6 @@
-#include "demens/rig/common.hpp"
+#include "src/rig/common.hpp"
 
 #include "demens/base/error.hpp"
-#include "demens/dem/simulation.hpp"
 #include "demens/shape/sample_check.hpp"
 
 #include <algorithm>
@@ -45,9 +44,50 @@ std::vector<std::string> size_warnings(shape::SizeDistribution const& sizes, dou
     return warning.empty() ? std::vector<std::string>{} : std::vector{std::move(warning)};
 }
 
-std::vector<OptionSpec> time_step_options()
+double skin_of(OptionValues const& options, shape::SizeDistribution const& sizes)
+{
+    return options.number("skin") * 0.5 * sizes.mean_volume_diameter();
+}
+
+OptionSpecs joined(std::initializer_list<OptionSpecs> lists)
+{
+    OptionSpecs all;
+    for (auto const& list : lists)
+        all.insert(all.end(), list.begin(), list.end());
+    return all;
+}
+
+OptionSpecs material_options(std::string const& wall)
+{
+    auto const material = [](std::string key, std::string doc) {
+        return OptionSpec{.key = std::move(key),
+                          .default_value = std::string(),
+                          .doc = std::move(doc),
+                          .required = true,
+                          .names_entry_of = "material"};
+    };
+    return {material("material", "material of the particles"),
+            material("wall_material", "material of " + wall)};
+}
+
+OptionSpecs bed_options()
+{
+    return {{.key = "size_distribution",
+             .default_value = std::string(),
+             .doc = "sizes of the particles",
+             .required = true,
+             .names_entry_of = "size_distribution"},
+            {.key = "skin",
+             .default_value = 0.3,
+             .doc = "reach of the neighbour lists beyond contact over the radius of mean volume [-]",
+             .lower = 1e-3,
+             .upper = 2.0}};
+}
+
+OptionSpecs run_options(Vector3 const& gravity)
 {
     return {
+        {.key = "gravity_m_s2", .default_value = gravity, .doc = "acceleration of gravity [m/s^2]"},
         {.key = "time_step_s",
          .default_value = 0.0,
          .doc = "time step [s]; 0: the largest that the limits allow",
@@ -57,12 +97,6 @@ std::vector<OptionSpec> time_step_options()
          .doc = "largest time step as a fraction of the smallest sphere's Rayleigh time [-]",
          .lower = 1e-6,
          .upper = 1.0},
-    };
-}
-
-std::vector<OptionSpec> energy_options()
-{
-    return {
         {.key = "energy_ledger",
          .default_value = false,
          .doc = "account for all energy, and store it with the run"},
@@ -73,11 +107,22 @@ std::vector<OptionSpec> energy_options()
     };
 }
 
-dem::SimulationOptions with_energy_options(dem::SimulationOptions simulation, OptionValues const& options)
+dem::SimulationOptions simulation_options(OptionValues const& options, double time_step)
 {
-    simulation.energy_ledger = options.flag("energy_ledger");
-    simulation.closure_limit = options.number("energy_closure_limit");
-    return simulation;
+    return {.time_step = time_step,
+            .gravity = options.vector("gravity_m_s2"),
+            .energy_ledger = options.flag("energy_ledger"),
+            .closure_limit = options.number("energy_closure_limit")};
+}
+
+double gravity_downwards(OptionValues const& options)
+{
+    Vector3 const gravity = options.vector("gravity_m_s2");
+    if (gravity.x != 0 || gravity.y != 0 || !(gravity.z < 0))
+        throw InputError(fmt::format("gravity_m_s2 = [{}, {}, {}] must point straight down, along -z: the "
+                                     "rig stands on its floor, and its heights are along z",
+                                     gravity.x, gravity.y, gravity.z));
+    return -gravity.z;
 }
 
 TimeStepLimit time_step_limit(contact::Model const& model, std::string const& material,

@@ -1,9 +1,6 @@
 #include "demens/rig/rig.hpp"
 
-#include "demens/rig/custom.hpp"
-#include "demens/rig/drawdown.hpp"
-#include "demens/rig/drum.hpp"
-#include "demens/rig/impact.hpp"
+#include "src/rig/rigs.hpp"
 
 #include <algorithm>
 

@@ -50,6 +50,12 @@ inline rig::RunResult run_formula(rig::RunInput const& input, rig::RunHooks cons
     if (x > 0.5)
         result.energy = dem::EnergyLedger{.potential = x, .lost_to_friction = 0.5, .turned_over = 2};
     result.series = {{"time_s", "value"}, {"s", "1"}, {{0.0, 0.5, 1.0}, {x, result.responses[1], 7.0}}};
+    if (x > 0.25) // a run need not have every profile, nor as many points as another
+        result.profiles = {{"surface", "height over x", {{"x", "height"}, {"m", "mm"}, {}}}};
+    for (auto& profile : result.profiles) {
+        auto const points = static_cast<std::size_t>(result.particles);
+        profile.curve.columns = {std::vector(points, 0.5), std::vector(points, x)};
+    }
     for (auto const* name : {"settled", "final"}) {
         rig::Snapshot snapshot;
         snapshot.name = name;

@@ -115,6 +115,15 @@ TEST_F(SessionTest, DetailsBelongToTheirRuns)
         EXPECT_EQ(details.series.units, (std::vector<std::string>{"s", "1"}));
         EXPECT_EQ(details.series.columns[0], (std::vector<double>{0, 0.5, 1}));
         EXPECT_EQ(details.series.columns[1], (std::vector<double>{run.factors[0], run.responses[1], 7}));
+        ASSERT_EQ(details.profiles.size(), run.factors[0] > 0.25 ? 1u : 0u);
+        for (auto const& profile : details.profiles) {
+            EXPECT_EQ(profile.name, "surface");
+            EXPECT_EQ(profile.doc, "height over x");
+            EXPECT_EQ(profile.curve.names, (std::vector<std::string>{"x", "height"}));
+            EXPECT_EQ(profile.curve.units, (std::vector<std::string>{"m", "mm"}));
+            EXPECT_EQ(profile.curve.column("height"),
+                      std::vector(static_cast<std::size_t>(run.particles), run.factors[0]));
+        }
         ASSERT_EQ(details.snapshots.size(), 2u);
         EXPECT_EQ(details.snapshots[0].name, "settled");
         EXPECT_EQ(details.snapshots[1].name, "final");

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "demens/base/error.hpp"
+
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +49,39 @@ std::vector<std::string> texts_of()
     for (auto const& word : words_of<Enum>())
         texts.emplace_back(word.text);
     return texts;
+}
+
+// The same with a table at hand, for words that one file alone knows.
+
+template <class Enum, std::size_t count>
+std::vector<std::string> texts_of(std::array<Word<Enum>, count> const& words)
+{
+    std::vector<std::string> texts;
+    for (auto const& word : words)
+        texts.emplace_back(word.text);
+    return texts;
+}
+
+template <class Enum, std::size_t count>
+char const* word_for(std::array<Word<Enum>, count> const& words, Enum value)
+{
+    for (auto const& word : words)
+        if (word.value == value)
+            return word.text;
+    return "unknown";
+}
+
+//! \throws InputError for a text that is none of the words
+template <class Enum, std::size_t count>
+Enum read_word(std::array<Word<Enum>, count> const& words, std::string const& text)
+{
+    std::string all;
+    for (auto const& word : words) {
+        if (text == word.text)
+            return word.value;
+        all += (all.empty() ? "" : ", ") + std::string(word.text);
+    }
+    throw InputError("\"" + text + "\" is none of " + all);
 }
 
 } // namespace demens

@@ -4,6 +4,8 @@
 #include "demens/observe/principal_line.hpp"
 
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace demens::observe {
@@ -17,7 +19,7 @@ class EndView
     EndView(double radius, int pixels);
 
     //! Draws the particles on an empty image. A pixel is covered when its centre lies within a particle.
-    void draw(dem::Particles const& particles);
+    void draw(std::span<dem::Place const> places);
 
     //! Covered pixels over all pixels of the drum's circle [-].
     double covered_fraction() const;

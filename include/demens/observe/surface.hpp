@@ -3,6 +3,7 @@
 #include "demens/dem/particles.hpp"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace demens::observe {
@@ -11,17 +12,29 @@ namespace demens::observe {
 struct SurfaceProfile
 {
     std::vector<double> x; //!< [m]
-    std::vector<double> z; //!< top of the highest sphere over x [m]; `empty` where there is none
-    double empty;          //!< [m]
+    std::vector<double> z; //!< top of the highest sphere over x [m]; NaN where there is none
 };
 
 //! Profile of the selected particles between two positions.
-SurfaceProfile surface_profile(dem::Particles const& particles, double from_x, double to_x, int points,
-                               double empty, std::function<bool(dem::Place const&)> const& select);
+SurfaceProfile surface_profile(std::span<dem::Place const> places, double from_x, double to_x, int points,
+                               std::function<bool(dem::Place const&)> const& select);
 
-//! Mean height of the highest points of spheres over the middles of square columns [m], columns without any
-//! left out; NaN without particles. \param width of a column [m]
-double mean_surface_height(dem::Particles const& particles, double width);
+//! Heights of the highest points of spheres over the middles of square columns, those without any left out.
+struct SurfaceMap
+{
+    struct Column
+    {
+        long i, j;  //!< the middle is at (i + 1/2, j + 1/2) widths
+        double top; //!< [m]
+    };
+    double width;                //!< of a column [m]
+    std::vector<Column> columns; //!< in the order of i, then j
+
+    double mean_height() const; //!< [m]; NaN without columns
+    //! Mean over y of the heights over each x.
+    SurfaceProfile along_x() const;
+};
+SurfaceMap surface_map(std::span<dem::Place const> places, double width);
 
 //! A straight line z = intercept + slope x.
 struct Line
@@ -31,9 +44,9 @@ struct Line
     double angle_deg() const;
 };
 
-//! Least-squares line through the profile between two positions, gaps left out.
-Line fit_line(SurfaceProfile const& profile, double from_x, double to_x);
 //! Least-squares line through y over x.
 Line fit_line(std::vector<double> const& x, std::vector<double> const& y);
+//! ... through the points between two positions, gaps (NaN) left out.
+Line fit_line(std::vector<double> const& x, std::vector<double> const& y, double from_x, double to_x);
 
 } // namespace demens::observe

@@ -14,6 +14,7 @@ struct DrumState
     double radius = 0, width = 0; //!< inner [m]
     double angular_velocity = 0;  //!< [rad/s]
     double mass = 0;              //!< of the fill [kg]
+    double gravity = 9.81;        //!< [m/s^2]
     double froude() const;        //!< omega^2 R/g [-]
     double volume() const;        //!< [m^3]
     double seconds_per_turn() const;

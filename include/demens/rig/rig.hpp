@@ -40,11 +40,22 @@ struct ResponseInfo
     std::string doc;   //!< one line
 };
 
-//! Columns over time, sampled while a run goes on.
+//! Columns of equal length over the first one: the time [s] of a time series, the axis of a profile.
 struct Series
 {
-    std::vector<std::string> names, units;    //!< one per column; the first column is the time [s]
-    std::vector<std::vector<double>> columns; //!< equally long
+    std::vector<std::string> names, units; //!< one per column
+    std::vector<std::vector<double>> columns;
+
+    std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+    //! The column of that name; it must be there.
+    std::vector<double> const& column(std::string const& name) const;
+};
+
+//! A quantity over an axis at one moment, or its mean over some time, e.g. the height of a surface over x.
+struct Profile
+{
+    std::string name, doc;
+    Series curve; //!< two columns, axis and quantity; NaN where there is none
 };
 
 using observe::Snapshot;
@@ -53,11 +64,12 @@ using observe::Snapshot;
 struct RunResult
 {
     RunStatus status = RunStatus::not_run;
-    std::string reason;            //!< why it did not finish; empty when it did
-    std::vector<double> responses; //!< in the order of `responses_of`; NaN where not reached
-    Series series;
-    std::vector<Snapshot> snapshots; //!< the rig's few landmarks
-    double simulated_time = 0;       //!< [s]
+    std::string reason = {};            //!< why it did not finish; empty when it did
+    std::vector<double> responses = {}; //!< in the order of `responses_of`; NaN where not reached
+    Series series = {};
+    std::vector<Profile> profiles = {};
+    std::vector<Snapshot> snapshots = {}; //!< the rig's few landmarks
+    double simulated_time = 0;            //!< [s]
     std::int64_t steps = 0;
     std::int64_t particles = 0;
     std::optional<dem::EnergyLedger> energy = {}; //!< at the end, of a run with the ledger
@@ -82,8 +94,8 @@ struct RunHooks
 {
     std::function<void(Snapshot const&)> on_frame = {}; //!< called every `frame_interval` of simulated time
     double frame_interval = 0;                          //!< [s]; 0: never
-    std::function<bool()> should_stop = {}; //!< polled about once a second; true ends the run early
-    double wall_time_limit = 0;             //!< [s]; 0: none
+    std::function<bool()> should_stop = {};             //!< polled about every 0.1 s; true ends the run early
+    double wall_time_limit = 0;                         //!< [s]; 0: none
     //! The ranks that simulate the run together; null: this one alone. All of them call the rig, with hooks
     //! that are set alike, and get the same result.
     dem::Team* team = nullptr;
@@ -94,14 +106,17 @@ class RunInterrupted : public std::exception
 {
 };
 
-//! A kind of test apparatus: what it needs, what it measures, how it runs.
+struct Programme; // programme/programme.hpp
+
+//! A kind of test apparatus: what it needs, what it measures, how it runs. Of a rig that is described, all
+//! that follows from the description is made by `described`.
 struct RigInfo
 {
-    std::string name;                    //!< as in `rig = "drawdown"`
-    std::string doc;                     //!< one line
-    std::vector<OptionSpec> options;     //!< keys of its `[[experiment]]` table
-    std::vector<TableSpec> tables = {};  //!< tables inside its `[[experiment]]` table
-    std::vector<ResponseInfo> responses; //!< of every experiment
+    std::string name;                         //!< as in `rig = "drawdown"`
+    std::string doc;                          //!< one line
+    std::vector<OptionSpec> options;          //!< keys of its `[[experiment]]` table
+    std::vector<TableSpec> tables = {};       //!< tables inside its `[[experiment]]` table
+    std::vector<ResponseInfo> responses = {}; //!< of every experiment
     //! Further ones that an experiment asks for.
     std::function<std::vector<ResponseInfo>(OptionValues const&)> asked_responses = {};
     //! Everything that can be wrong with an input, checked before any run. \throws InputError
@@ -112,7 +127,12 @@ struct RigInfo
     std::function<double(RunInput const&)> predict_cost = {};
     //! Simulates. Does not throw for a failed run. \throws RunInterrupted
     std::function<RunResult(RunInput const&, RunHooks const&)> run = {};
+    //! The run as a programme of stages and readings. \throws InputError
+    std::function<Programme(RunInput const&)> describe = {};
 };
+
+//! The rig with all that follows from its description: check, warnings, cost and run.
+RigInfo described(RigInfo rig);
 
 //! What an experiment of the rig measures, in the order of RunResult::responses.
 std::vector<ResponseInfo> responses_of(RigInfo const& rig, OptionValues const& experiment);

@@ -2,7 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "demens/observe/surface.hpp"
-#include "demens/rig/common.hpp"
+#include "src/rig/common.hpp"
 #include "src/rig/custom/specs.hpp"
 
 #include <algorithm>
@@ -99,11 +99,12 @@ std::vector<WallPlan const*> walls_at_first_place(Setup const& setup, std::size_
 
 void check_in_domain(Setup const& setup, Body const& body)
 {
-    if (!shape::contains(setup.domain, body.place))
+    if (!shape::contains(shape::Region(setup.domain()), body.place))
         throw InputError(fmt::format("{} at {} is outside the domain, from {} to {}; move it or give "
                                      "domain_lower_mm and domain_upper_mm",
                                      body.origin, in_millimetres(body.place),
-                                     in_millimetres(setup.domain.lower), in_millimetres(setup.domain.upper)));
+                                     in_millimetres(setup.options.domain_lower),
+                                     in_millimetres(setup.options.domain_upper)));
 }
 
 void check_bodies(Setup const& setup, ParticleGroup const& group, std::vector<Body> const& bodies)
@@ -159,10 +160,19 @@ void check_packing(Setup const& setup, ParticleGroup const& group, Packing const
                         group.name, 1e9 * solid, 1e9 * room, densest));
 }
 
+//! A place as it is seen from above, at another height [m].
+Vector3 at_height(Setup const& setup, Vector3 const& place, double height)
+{
+    auto upright = setup.upright.upright(place);
+    upright.z = height;
+    return setup.upright.back(upright);
+}
+
 void check_above_others(Setup const& setup, ParticleGroup const& group, AboveOthers const& above)
 {
     Body body = above.body;
-    body.place.z = 0.5 * (setup.domain.lower.z + setup.domain.upper.z);
+    Vector3 const middle = 0.5 * (setup.options.domain_lower + setup.options.domain_upper);
+    body.place = at_height(setup, body.place, setup.upright.height(middle));
     check_in_domain(setup, body);
     for (auto const& other : setup.groups) {
         if (&other == &group)
@@ -179,29 +189,27 @@ void check_above_others(Setup const& setup, ParticleGroup const& group, AboveOth
                     group.name));
 }
 
-std::vector<Body> existing(dem::Particles const& particles)
+std::vector<Body> existing(dem::StateView const& particles)
 {
     std::vector<Body> bodies(particles.size());
-    for (std::size_t k = 0; k < particles.size(); ++k) {
-        dem::Place const& p = particles.place[k];
-        bodies[particles.id[k]] = {
-            .place = {p.x, p.y, p.z}, .radius = p.radius, .origin = "a particle there"};
-    }
+    for (std::size_t k = 0; k < particles.size(); ++k)
+        bodies[particles.id(k).value] = {
+            .place = particles.position(k), .radius = particles.radius(k), .origin = "a particle there"};
     return bodies;
 }
 
-std::vector<Body> fill(World const& world, Setup const& setup, std::size_t number, Packing const& packing)
+std::vector<Body> fill(Look& look, Setup const& setup, std::size_t number, Packing const& packing)
 {
     auto const stream = derive_seed(setup.seed, number + 1);
     RandomStream sizes(derive_seed(stream, 1)), places(derive_seed(stream, 2));
     auto const diameters = sample_diameters(packing, setup.density(setup.groups[number]), sizes);
     std::vector<shape::Sphere> obstacles;
-    for (auto const& body : existing(world.simulation.particles()))
+    for (auto const& body : existing(look.particles()))
         obstacles.push_back({body.place, body.radius});
     auto const is_free = [&](Vector3 const& p, double r) {
         if (packing.within && !shape::contains(*packing.within, p, r))
             return false;
-        auto const& walls = world.simulation.walls();
+        auto const& walls = look.simulation().walls();
         return std::none_of(walls.begin(), walls.end(), [&](dem::Wall const& wall) {
             return wall.active && overlap_with(wall, p, r) > 0;
         });
@@ -213,30 +221,36 @@ std::vector<Body> fill(World const& world, Setup const& setup, std::size_t numbe
     return bodies;
 }
 
-//! Mean surface of the particles: columns half a mean radius wide [m].
-double level_of(dem::Particles const& particles)
+//! Height of the mean surface of the particles: columns half a mean radius wide [m].
+double level_of(dem::StateView const& particles, Upright const& upright)
 {
     double radius = 0;
-    for (auto const& p : particles.place)
-        radius += p.radius / static_cast<double>(particles.size());
-    return observe::mean_surface_height(particles, 0.5 * radius);
+    std::vector<dem::Place> places;
+    for (std::size_t k = 0; k < particles.size(); ++k) {
+        auto const p = upright.upright(particles.position(k));
+        places.push_back({p.x, p.y, p.z, particles.radius(k)});
+        radius += particles.radius(k) / static_cast<double>(particles.size());
+    }
+    return observe::surface_map(places, 0.5 * radius).mean_height();
 }
 
 //! The bodies of a group as they enter now.
-std::vector<Body> bodies_of(World& world, Setup const& setup, std::size_t number)
+std::vector<Body> bodies_of(Look& look, Setup const& setup, std::size_t number)
 {
     auto const& source = setup.groups[number].source;
     if (auto const* packing = std::get_if<Packing>(&source))
-        return fill(world, setup, number, *packing);
+        return fill(look, setup, number, *packing);
     std::vector<Body> bodies;
     if (auto const* above = std::get_if<AboveOthers>(&source)) {
         bodies = {above->body};
-        world.levels[number] = level_of(world.simulation.particles());
-        bodies.front().place.z = world.levels[number] + above->clearance + above->body.radius;
+        double const level = level_of(look.particles(), setup.upright);
+        look.progress().groups[number].level = level;
+        bodies.front().place =
+            at_height(setup, above->body.place, level + above->clearance + above->body.radius);
     } else {
         bodies = std::get<std::vector<Body>>(source);
     }
-    auto all = existing(world.simulation.particles());
+    auto all = existing(look.particles());
     auto const old = all.size();
     all.insert(all.end(), bodies.begin(), bodies.end());
     check_overlaps(all, old, setup.overlap_limit);
@@ -265,21 +279,36 @@ void check_places(Setup const& setup)
     }
 }
 
-void enter(World& world, Setup const& setup, std::size_t stage)
+void enter(Bench& bench, Setup const& setup, std::size_t stage)
 {
-    auto& simulation = world.simulation;
-    // A particle's velocity is kept half a time step behind its place, except before the first step.
-    Vector3 const behind =
-        simulation.steps_done() > 0 ? -0.5 * setup.time_step * simulation.options().gravity : Vector3{};
+    bench.progress.groups.resize(setup.groups.size());
     for (std::size_t g = 0; g < setup.groups.size(); ++g) {
         if (setup.groups[g].stage != stage)
             continue;
-        auto const material = material_index(setup.model, setup.groups[g].material);
-        auto& ids = world.groups[g];
-        ids.first = ids.end = static_cast<std::uint32_t>(simulation.particles().size());
-        for (auto const& body : bodies_of(world, setup, g))
-            ids.end = 1 + simulation.add_particle(body.place, body.radius, material, body.velocity + behind,
-                                                  body.spin);
+        Look look(bench);
+        dem::MaterialId const material{material_index(setup.model, setup.groups[g].material)};
+        dem::BodyBatch batch;
+        for (auto const& body : bodies_of(look, setup, g))
+            batch.push_back({body.place, body.radius, material, body.velocity, body.spin});
+        bench.progress.groups[g].ids = bench.simulation.add(batch);
+    }
+}
+
+void check_room_for_wall(Bench& bench, Setup const& setup, WallPlan const& plan, dem::Wall const& part,
+                         std::string const& stage)
+{
+    Look look(bench);
+    for (auto const& p : look.particles().places()) {
+        Vector3 const place{p.x, p.y, p.z};
+        double const overlap = overlap_with(part, place, p.radius);
+        if (overlap > setup.overlap_limit * p.radius)
+            throw InputError(fmt::format(
+                "the wall {} appears in stage \"{}\" where a particle is: at {}, radius {:.4g} mm, it "
+                "reaches "
+                "{:.4g} mm into it, {:.3g} of the radius, where initial_overlap = {:.3g}; switch it on "
+                "earlier or move it there",
+                plan.name, stage, in_millimetres(place), 1e3 * p.radius, 1e3 * overlap, overlap / p.radius,
+                setup.overlap_limit));
     }
 }
 

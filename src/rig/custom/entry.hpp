@@ -8,6 +8,10 @@ namespace demens::rig::custom {
 void check_places(Setup const& setup);
 
 //! Adds the groups that enter when a stage begins. \throws InputError when there is no room for them now
-void enter(World& world, Setup const& setup, std::size_t stage);
+void enter(Bench& bench, Setup const& setup, std::size_t stage);
+
+//! \throws InputError when a wall that appears reaches deeper into a particle than may overlap at first
+void check_room_for_wall(Bench& bench, Setup const& setup, WallPlan const& plan, dem::Wall const& part,
+                         std::string const& stage);
 
 } // namespace demens::rig::custom

@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "demens/shape/sample_check.hpp"
+#include "src/rig/custom/selection.hpp"
 #include "src/rig/custom/specs.hpp"
 
 #include <algorithm>
@@ -13,6 +14,15 @@
 
 namespace demens::rig::custom {
 namespace {
+
+enum class Source
+{
+    body,
+    csv,
+    packing
+};
+constexpr std::array<Word<Source>, 3> sources = {
+    {{Source::body, "body"}, {Source::csv, "csv"}, {Source::packing, "packing"}}};
 
 double sphere_mass(double diameter, double density)
 {
@@ -81,8 +91,7 @@ TableSpec particles_table()
                         vector("spin_rad_s", {}, "angular velocity at first [rad/s]"),
                         number("clearance_mm", not_given,
                                "its lowest point enters so high above the mean surface of the particles then "
-                               "there; the z of "
-                               "place_mm is not used [mm]",
+                               "there; how high place_mm is is not used [mm]",
                                0)}},
                       {"csv",
                        "spheres from a table",
@@ -179,19 +188,24 @@ std::vector<ParticleGroup> read_particles(RunInput const& input, Regions const& 
     auto const& stages = input.experiment.tables("stage");
     for (auto const& o : input.experiment.tables("particles")) {
         auto const where = "particles." + o.text("name");
-        ParticleGroup group{o.text("name"), o.text("material"), 0, {}};
-        while (!o.text("stage").empty() && stages.at(group.stage).text("name") != o.text("stage"))
-            ++group.stage;
-        if (o.text("source") == "packing")
-            group.source = read_packing(o, input, regions, where);
-        else if (o.text("source") == "csv") {
-            auto table = read_csv(o, input);
+        ParticleGroup group{o.text("name"), o.text("material"), position_of(stages, o.text("stage"), 0), {}};
+        ParticleTable table;
+        switch (read_word(sources, o.text("source"))) {
+        case Source::body:
+            if (is_absent(o.number("clearance_mm")))
+                group.source = std::vector{read_body(o, where)};
+            else
+                group.source = AboveOthers{read_body(o, where), 1e-3 * o.number("clearance_mm")};
+            break;
+        case Source::csv:
+            table = read_csv(o, input);
             group.source = std::move(table.bodies);
             group.unused = std::move(table.unused);
-        } else if (is_absent(o.number("clearance_mm")))
-            group.source = std::vector{read_body(o, where)};
-        else
-            group.source = AboveOthers{read_body(o, where), 1e-3 * o.number("clearance_mm")};
+            break;
+        case Source::packing:
+            group.source = read_packing(o, input, regions, where);
+            break;
+        }
         groups.push_back(std::move(group));
     }
     if (groups.empty())

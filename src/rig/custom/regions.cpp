@@ -1,6 +1,6 @@
 #include "src/rig/custom/regions.hpp"
 
-#include "demens/base/error.hpp"
+#include "demens/base/words.hpp"
 #include "src/rig/custom/specs.hpp"
 
 #include <fmt/format.h>
@@ -8,15 +8,27 @@
 namespace demens::rig::custom {
 namespace {
 
+enum class RegionKind
+{
+    box,
+    cylinder,
+    ball
+};
+constexpr std::array<Word<RegionKind>, 3> region_shapes = {
+    {{RegionKind::box, "box"}, {RegionKind::cylinder, "cylinder"}, {RegionKind::ball, "ball"}}};
+
 shape::Region read_region(OptionValues const& o)
 {
-    auto const& shape = o.text("shape");
-    if (shape == "box")
+    switch (read_word(region_shapes, o.text("shape"))) {
+    case RegionKind::box:
         return shape::BoxRegion{1e-3 * o.vector("lower_mm"), 1e-3 * o.vector("upper_mm")};
-    if (shape == "cylinder")
+    case RegionKind::cylinder:
         return shape::CylinderRegion{1e-3 * o.vector("from_mm"), 1e-3 * o.vector("to_mm"),
                                      1e-3 * o.number("radius_mm"), 1e-3 * o.number("inner_radius_mm")};
-    return shape::BallRegion{1e-3 * o.vector("centre_mm"), 1e-3 * o.number("radius_mm")};
+    case RegionKind::ball:
+        return shape::BallRegion{1e-3 * o.vector("centre_mm"), 1e-3 * o.number("radius_mm")};
+    }
+    return {};
 }
 
 } // namespace
@@ -52,7 +64,7 @@ Regions read_regions(OptionValues const& experiment)
         if (!(shape::volume(region) > 0))
             throw InputError(
                 fmt::format("region.{} has no volume; {}", name,
-                            entry.text("shape") == "box"
+                            std::holds_alternative<shape::BoxRegion>(region)
                                 ? "upper_mm must be greater than lower_mm in x, y and z"
                                 : "its ends must differ and radius_mm must exceed inner_radius_mm"));
         regions.emplace(name, region);

@@ -1,58 +1,120 @@
+// What may be asked of a run: keys of its responses, their names and units.
 #include "src/rig/custom/responses.hpp"
 
 #include "demens/base/error.hpp"
-#include "demens/observe/surface.hpp"
 #include "src/rig/custom/specs.hpp"
+#include "src/rig/custom/upright.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
 namespace demens::rig::custom {
 namespace {
 
-struct Quantity
-{
-    std::string units, doc;
-};
+constexpr std::array<Word<Take>, 9> takes = {{{Take::final, "final"},
+                                              {Take::mean, "mean"},
+                                              {Take::sd, "sd"},
+                                              {Take::min, "min"},
+                                              {Take::max, "max"},
+                                              {Take::change, "change"},
+                                              {Take::rate, "rate"},
+                                              {Take::time_above, "time_above"},
+                                              {Take::time_below, "time_below"}}};
+constexpr std::array<Word<Component>, 4> components = {
+    {{Component::x, "x"}, {Component::y, "y"}, {Component::z, "z"}, {Component::magnitude, "magnitude"}}};
 
 //! What can be read off, and the keys that it needs.
-std::map<std::string, Quantity> const& quantities()
+struct QuantityInfo
 {
-    static std::map<std::string, Quantity> const all = {
-        {"count", {"1", "number of particles"}},
-        {"mass", {"kg", "mass of particles"}},
-        {"centre_of_mass", {"m", "centre of mass of particles"}},
-        {"position", {"m", "place of a body's centre"}},
-        {"velocity", {"m/s", "velocity of a body's centre"}},
-        {"speed", {"m/s", "speed of a body's centre"}},
-        {"penetration", {"m", "how deep a body's lowest point is below the level at which it entered"}},
-        {"kinetic_energy", {"J", "kinetic energy of particles, translation and rotation"}},
-        {"potential_energy", {"J", "potential energy of particles above the origin"}},
-        {"energy", {"J", "a term of the energy ledger"}},
-        {"wall_force", {"N", "force of the particles on a wall"}},
-        {"wall_torque", {"N m", "torque of the particles on a wall about its centre"}},
-        {"surface_height", {"m", "mean height of the upper surface of particles"}},
-        {"profile_angle", {"deg", "slope of the upper surface of particles"}},
-        {"segregation", {"1", "intensity of segregation of a group (Danckwerts 1952)"}},
+    Quantity quantity;
+    std::string name, units, doc;
+    std::vector<OptionSpec> options;
+};
+
+std::vector<std::string> ledger_terms()
+{
+    std::vector<std::string> terms;
+    for (auto const& entry : dem::energy_entries)
+        terms.emplace_back(entry.name);
+    return terms;
+}
+
+std::vector<QuantityInfo> make_quantities()
+{
+    auto const region = entry("region", "region", "where; empty: everywhere");
+    auto const of = entry("of", "particles", "group; empty: all particles");
+    auto const body = required(entry("of", "particles", "group of one body"));
+    auto const no_region = entry("region", "region", "only while it is there; empty: everywhere");
+    auto const component = choice("axis", {"z", "x", "y"}, "component");
+    auto const load = choice("axis", {"magnitude", "x", "y", "z"}, "component, or magnitude");
+    auto const wall = required(entry("wall", "wall", "which wall"));
+    auto const about = vector("about_mm", {not_given, not_given, not_given},
+                              "point about which it is counted, e.g. of a shaft, fixed in space; none: the "
+                              "centre of the wall's first part, which moves with it [mm]");
+    auto const along =
+        choice("axis", {"x", "y", "z"}, "axis along which the profile is seen, as far as it is horizontal");
+    auto const column = required(
+        number("cell_mm", 0, "width of the columns of which the highest points count [mm]", positive));
+    std::vector<QuantityInfo> all;
+    auto const add = [&](Quantity quantity, std::string name, std::string units, std::string doc,
+                         std::vector<OptionSpec> options) {
+        all.push_back({quantity, std::move(name), std::move(units), std::move(doc), std::move(options)});
     };
+    add(Quantity::count, "count", "1", "number of particles", {region, of});
+    add(Quantity::mass, "mass", "kg", "mass of particles", {region, of});
+    add(Quantity::centre_of_mass, "centre_of_mass", "m", "centre of mass of particles",
+        {region, of, component});
+    add(Quantity::position, "position", "m", "place of a body's centre", {body, no_region, component});
+    add(Quantity::velocity, "velocity", "m/s", "velocity of a body's centre", {body, no_region, component});
+    add(Quantity::speed, "speed", "m/s", "speed of a body's centre", {body, no_region});
+    add(Quantity::penetration, "penetration", "m",
+        "how deep a body's lowest point is below the level at which it entered", {body, no_region});
+    add(Quantity::kinetic_energy, "kinetic_energy", "J",
+        "kinetic energy of particles, translation and rotation", {region, of});
+    add(Quantity::potential_energy, "potential_energy", "J", "potential energy of particles above the origin",
+        {region, of});
+    add(Quantity::energy, "energy", "J", "a term of the energy ledger",
+        {required(choice("term", ledger_terms(), "which; since the start for what was lost or brought in"))});
+    add(Quantity::wall_force, "wall_force", "N", "force of the particles on a wall", {wall, load});
+    add(Quantity::wall_torque, "wall_torque", "N m", "torque of the particles on a wall",
+        {wall, load, about});
+    add(Quantity::surface_height, "surface_height", "m", "mean height of the upper surface of particles",
+        {region, of, column});
+    add(Quantity::profile_angle, "profile_angle", "deg", "slope of the upper surface of particles",
+        {region, of, along, column});
+    add(Quantity::segregation, "segregation", "1", "intensity of segregation of a group (Danckwerts 1952)",
+        {region, required(entry("of", "particles", "group whose share of the mass is looked at")),
+         required(number("cell_mm", 0, "side of the cubes in which the share is taken [mm]", positive))});
     return all;
+}
+
+QuantityInfo const& quantity_of(OptionValues const& o)
+{
+    static std::vector<QuantityInfo> const all = make_quantities();
+    for (auto const& info : all)
+        if (info.name == o.text("quantity"))
+            return info;
+    throw InputError("\"" + o.text("quantity") + "\" is no quantity");
+}
+
+bool is_threshold(Take take)
+{
+    return take == Take::time_above || take == Take::time_below;
 }
 
 std::string units_of(OptionValues const& o)
 {
-    auto const& units = quantities().at(o.text("quantity")).units;
-    auto const& take = o.text("take");
-    if (take == "time_above" || take == "time_below")
+    auto const& units = quantity_of(o).units;
+    auto const take = read_word(takes, o.text("take"));
+    if (is_threshold(take))
         return "s";
-    return take == "rate" ? (units == "1" ? "1/s" : units + "/s") : units;
+    return take == Take::rate ? (units == "1" ? "1/s" : units + "/s") : units;
 }
 
 std::string doc_of(OptionValues const& o)
 {
-    auto text = quantities().at(o.text("quantity")).doc;
+    auto text = quantity_of(o).doc;
     for (char const* key : {"of", "region", "wall"})
         if (o.has(key) && !o.text(key).empty())
             text += fmt::format(", {} {}", key, o.text(key));
@@ -63,57 +125,72 @@ std::string doc_of(OptionValues const& o)
     return text + fmt::format("; {}{}", o.text("take"), stage.empty() ? "" : " of stage " + stage);
 }
 
-std::vector<std::string> ledger_terms()
+double dem::EnergyLedger::*term_of(OptionValues const& o)
 {
-    std::vector<std::string> terms;
     for (auto const& entry : dem::energy_entries)
-        terms.emplace_back(entry.name);
-    return terms;
+        if (o.has("term") && o.text("term") == entry.name)
+            return entry.value;
+    return nullptr;
 }
 
-bool is_threshold(std::string const& take)
+bool is_of_one_body(Quantity quantity)
 {
-    return take == "time_above" || take == "time_below";
+    return quantity == Quantity::position || quantity == Quantity::velocity || quantity == Quantity::speed ||
+           quantity == Quantity::penetration;
 }
 
-Response read_response(OptionValues const& o, OptionValues const& experiment, Regions const& regions,
-                       std::vector<ParticleGroup> const& groups)
+//! What cannot be read off the particles that the response looks at.
+void check_body(ResponsePlan const& response, OptionValues const& o, std::vector<ParticleGroup> const& groups)
 {
-    auto const& stages = experiment.tables("stage");
-    auto const& walls = experiment.tables("wall");
-    auto const position_of = [](std::vector<OptionValues> const& entries, std::string const& name) {
-        std::size_t k = 0;
-        while (k < entries.size() && entries[k].text("name") != name)
-            ++k;
-        return k;
-    };
-    Response response{.name = o.text("name"),
-                      .quantity = o.text("quantity"),
-                      .selection = o.has("of") ? read_selection(o, experiment, regions) : Selection{},
-                      .axis = o.has("axis") ? o.text("axis") : "",
-                      .term = o.has("term") ? o.text("term") : "",
-                      .wall = o.has("wall") ? position_of(walls, o.text("wall")) : 0,
-                      .cell = o.has("cell_mm") ? 1e-3 * o.number("cell_mm") : 0,
-                      .stage =
-                          o.text("stage").empty() ? stages.size() - 1 : position_of(stages, o.text("stage")),
-                      .take = o.text("take"),
-                      .threshold = o.number("threshold")};
-    bool const of_body = response.quantity == "position" || response.quantity == "velocity" ||
-                         response.quantity == "speed" || response.quantity == "penetration";
-    if (of_body && !groups[*response.selection.group].is_one_body())
-        throw InputError(
-            fmt::format("\"{}\" is the {} of one body, but the group {} has several; centre_of_mass "
-                        "follows a group",
-                        response.quantity, response.quantity, o.text("of")));
-    if (response.quantity == "penetration" &&
-        !std::holds_alternative<AboveOthers>(groups[*response.selection.group].source))
+    auto const& name = quantity_of(o).name;
+    auto const& group = groups[*response.selection.group];
+    if (!group.is_one_body())
+        throw InputError(fmt::format("\"{}\" is the {} of one body, but the group {} has several; "
+                                     "centre_of_mass follows a group",
+                                     name, name, o.text("of")));
+    if (response.quantity == Quantity::penetration && !std::holds_alternative<AboveOthers>(group.source))
         throw InputError(fmt::format(
             "penetration needs a body that enters above the others: give {} a clearance_mm", o.text("of")));
+}
+
+void check_axis(ResponsePlan const& response, Vector3 const& gravity)
+{
+    if (!Upright::has_horizontal_part(gravity, unit_vector(response.component)))
+        throw InputError(fmt::format("axis = \"{}\" is along gravity, but a profile is seen along a "
+                                     "horizontal axis; give another one",
+                                     word_for(components, response.component)));
+}
+
+ResponsePlan read_response(OptionValues const& o, OptionValues const& experiment, Regions const& regions,
+                           std::vector<ParticleGroup> const& groups)
+{
+    auto const& stages = experiment.tables("stage");
+    auto const& info = quantity_of(o);
+    ResponsePlan response{
+        .name = o.text("name"),
+        .quantity = info.quantity,
+        .selection = o.has("of") ? read_selection(o, experiment, regions) : Selection{},
+        .component = o.has("axis") ? read_word(components, o.text("axis")) : Component::magnitude,
+        .term = term_of(o),
+        .wall = o.has("wall") ? position_of(experiment.tables("wall"), o.text("wall"), 0) : 0,
+        .about = {},
+        .cell = o.has("cell_mm") ? 1e-3 * o.number("cell_mm") : 0,
+        .stage = position_of(stages, o.text("stage"), stages.size() - 1),
+        .take = read_word(takes, o.text("take")),
+        .threshold = o.number("threshold")};
+    if (o.has("about_mm") && !is_absent(o.vector("about_mm")))
+        response.about = 1e-3 * o.vector("about_mm");
+    if (response.name == "time")
+        throw InputError("\"time\" is the name of the series' first column; give it another name");
+    if (is_of_one_body(response.quantity))
+        check_body(response, o, groups);
+    if (response.quantity == Quantity::profile_angle)
+        check_axis(response, experiment.vector("gravity_m_s2"));
     if (is_threshold(response.take) == std::isnan(response.threshold))
         throw InputError(
             is_threshold(response.take)
-                ? fmt::format("take = \"{}\" needs a threshold", response.take)
-                : fmt::format("threshold is not used by take = \"{}\"; leave it out", response.take));
+                ? fmt::format("take = \"{}\" needs a threshold", o.text("take"))
+                : fmt::format("threshold is not used by take = \"{}\"; leave it out", o.text("take")));
     return response;
 }
 
@@ -121,50 +198,16 @@ Response read_response(OptionValues const& o, OptionValues const& experiment, Re
 
 TableSpec response_table()
 {
-    auto const region = entry("region", "region", "where; empty: everywhere");
-    auto const of = entry("of", "particles", "group; empty: all particles");
-    auto const body = required(entry("of", "particles", "group of one body"));
-    auto const no_region = entry("region", "region", "only while it is there; empty: everywhere");
-    auto const component = choice("axis", {"z", "x", "y"}, "component");
-    auto const load = choice("axis", {"magnitude", "x", "y", "z"}, "component, or magnitude");
-    auto const wall = required(entry("wall", "wall", "which wall"));
-    auto const along = choice("axis", {"x", "y"}, "horizontal axis along which the profile is seen");
-    auto const column = required(
-        number("cell_mm", 0, "width of the columns of which the highest points count [mm]", positive));
-    auto const doc = [](std::string const& quantity) {
-        auto const& [units, text] = quantities().at(quantity);
-        return fmt::format("{} [{}]", text, units);
-    };
     std::vector<TableKind> kinds;
-    auto const add = [&](std::string const& quantity, std::vector<OptionSpec> options) {
-        kinds.push_back({quantity, doc(quantity), std::move(options)});
-    };
-    add("count", {region, of});
-    add("mass", {region, of});
-    add("centre_of_mass", {region, of, component});
-    add("position", {body, no_region, component});
-    add("velocity", {body, no_region, component});
-    add("speed", {body, no_region});
-    add("penetration", {body, no_region});
-    add("kinetic_energy", {region, of});
-    add("potential_energy", {region, of});
-    add("energy",
-        {required(choice("term", ledger_terms(), "which; since the start for what was lost or brought in"))});
-    add("wall_force", {wall, load});
-    add("wall_torque", {wall, load});
-    add("surface_height", {region, of, column});
-    add("profile_angle", {region, of, along, column});
-    add("segregation",
-        {region, required(entry("of", "particles", "group whose share of the mass is looked at")),
-         required(number("cell_mm", 0, "side of the cubes in which the share is taken [mm]", positive))});
+    for (auto const& info : make_quantities())
+        kinds.push_back({info.name, fmt::format("{} [{}]", info.doc, info.units), info.options});
     return {
         .key = "response",
         .doc = "what is read off again and again, and the one number that is made of it",
         .options =
             {required_word("name", "its name, for targets; it should carry the unit"),
              entry("stage", "stage", "over which stage; empty: the last one"),
-             choice("take",
-                    {"final", "mean", "sd", "min", "max", "change", "rate", "time_above", "time_below"},
+             choice("take", texts_of(takes),
                     "what is made of its course: its last value, mean, standard deviation, smallest or "
                     "largest value, last less first, slope of the line through it [1/s], or the time from "
                     "the beginning of the stage until it is above or below the threshold [s]"),
@@ -181,18 +224,15 @@ std::vector<ResponseInfo> asked_responses(OptionValues const& experiment)
     return infos;
 }
 
-std::string quantity_units(OptionValues const& table)
+std::vector<ResponsePlan> read_responses(OptionValues const& experiment, Regions const& regions,
+                                         std::vector<ParticleGroup> const& groups)
 {
-    return quantities().at(table.text("quantity")).units;
-}
-
-std::vector<Response> read_responses(OptionValues const& experiment, Regions const& regions,
-                                     std::vector<ParticleGroup> const& groups)
-{
-    std::vector<Response> responses;
+    std::vector<ResponsePlan> responses;
     for (auto const& o : experiment.tables("response")) {
         try {
             responses.push_back(read_response(o, experiment, regions, groups));
+            responses.back().units = quantity_of(o).units;
+            responses.back().doc = quantity_of(o).doc;
         } catch (InputError const& error) {
             throw InputError(fmt::format("response.{}: {}", o.text("name"), error.what()));
         }
@@ -200,41 +240,6 @@ std::vector<Response> read_responses(OptionValues const& experiment, Regions con
     if (responses.empty())
         throw InputError("nothing is measured; give at least one table [[experiment.response]]");
     return responses;
-}
-
-double reduce(Response const& response, std::vector<double> const& times, std::vector<double> const& values)
-{
-    // Moments at which there was nothing to look at do not count.
-    std::vector<double> t, v;
-    for (std::size_t k = 0; k < values.size(); ++k)
-        if (std::isfinite(values[k])) {
-            t.push_back(times[k]);
-            v.push_back(values[k]);
-        }
-    if (v.empty())
-        return not_given;
-    double const n = static_cast<double>(v.size());
-    auto const& take = response.take;
-    if (take == "final")
-        return v.back();
-    if (take == "min" || take == "max")
-        return take == "min" ? *std::min_element(v.begin(), v.end()) : *std::max_element(v.begin(), v.end());
-    if (take == "change")
-        return v.back() - v.front();
-    if (take == "rate")
-        return v.size() < 2 ? not_given : observe::fit_line(t, v).slope;
-    if (is_threshold(take)) {
-        for (std::size_t k = 0; k < v.size(); ++k)
-            if (take == "time_above" ? v[k] > response.threshold : v[k] < response.threshold)
-                return t[k] - times.front();
-        return not_given;
-    }
-    double mean = 0, squares = 0;
-    for (double const value : v)
-        mean += value / n;
-    for (double const value : v)
-        squares += (value - mean) * (value - mean) / n;
-    return take == "mean" ? mean : std::sqrt(squares);
 }
 
 } // namespace demens::rig::custom

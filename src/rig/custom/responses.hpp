@@ -1,39 +1,90 @@
 #pragma once
 
-#include "demens/rig/rig.hpp"
-#include "src/rig/custom/world.hpp"
+#include "demens/dem/energy.hpp"
+#include "demens/rig/programme/programme.hpp"
+#include "src/rig/custom/selection.hpp"
 
 namespace demens::rig::custom {
+
+//! What can be read off.
+enum class Quantity
+{
+    count,
+    mass,
+    centre_of_mass,
+    position,
+    velocity,
+    speed,
+    penetration,
+    kinetic_energy,
+    potential_energy,
+    energy,
+    wall_force,
+    wall_torque,
+    surface_height,
+    profile_angle,
+    segregation
+};
+
+//! What is made of its course.
+enum class Take
+{
+    final,
+    mean,
+    sd,
+    min,
+    max,
+    change,
+    rate,
+    time_above,
+    time_below
+};
+
+enum class Component
+{
+    x,
+    y,
+    z,
+    magnitude
+};
 
 //! `[[experiment.response]]`
 TableSpec response_table();
 //! Names and units of what an experiment asks for.
 std::vector<ResponseInfo> asked_responses(OptionValues const& experiment);
 
-//! Units of what one of its tables looks at, before a number is made of it.
-std::string quantity_units(OptionValues const& table);
-
 //! One thing that is read off again and again, and what is made of its course over a stage.
-struct Response
+struct ResponsePlan
 {
-    std::string name, quantity;
+    std::string name, units = {}, doc = {}; //!< of what is looked at
+    Quantity quantity;
     Selection selection;
-    std::string axis; //!< x, y, z, magnitude; of a profile: along which horizontal axis
-    std::string term; //!< of the energy ledger
-    std::size_t wall; //!< of a force or torque
-    double cell;      //!< side of a cell [m]
+    Component component;             //!< of a profile: along which axis
+    double dem::EnergyLedger::*term; //!< of the energy ledger; null: of none
+    std::size_t wall;                //!< of a force or torque
+    std::optional<Vector3> about;    //!< a torque is counted about it [m]; none: the wall's centre
+    double cell;                     //!< side of a cell [m]
     std::size_t stage;
-    std::string take;
+    Take take;
     double threshold; //!< NaN: not given
 };
 
 //! \throws InputError
-std::vector<Response> read_responses(OptionValues const& experiment, Regions const& regions,
-                                     std::vector<ParticleGroup> const& groups);
+std::vector<ResponsePlan> read_responses(OptionValues const& experiment, Regions const& regions,
+                                         std::vector<ParticleGroup> const& groups);
 
-//! What a response looks at, now. NaN where there is nothing to look at.
-double read_off(Response const& response, World const& world);
 //! The response from its course over time [s]; NaN when it has none or a threshold is not reached.
-double reduce(Response const& response, std::vector<double> const& times, std::vector<double> const& values);
+double reduce(ResponsePlan const& response, std::vector<double> const& times,
+              std::vector<double> const& values);
+
+struct Setup;
+//! What the responses are made of: columns, and profiles of those that look at a surface. The setup must
+//! outlive them.
+std::vector<Reading> readings(Setup const& setup);
+std::vector<ProfileReading> profiles(Setup const& setup);
+std::vector<Response> responses(Setup const& setup, std::vector<ResponseInfo> const& infos);
+
+//! Along an axis; of a magnitude, zero.
+Vector3 unit_vector(Component component);
 
 } // namespace demens::rig::custom

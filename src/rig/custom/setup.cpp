@@ -1,7 +1,6 @@
 #include "src/rig/custom/setup.hpp"
 
 #include "demens/base/error.hpp"
-#include "demens/rig/common.hpp"
 #include "demens/shape/stl.hpp"
 #include "src/rig/custom/specs.hpp"
 
@@ -46,7 +45,7 @@ double time_step_of(Setup const& setup, OptionValues const& options)
     return chosen_time_step(options, limit);
 }
 
-shape::BoxRegion joined(shape::BoxRegion const& a, shape::BoxRegion const& b)
+shape::BoxRegion hull(shape::BoxRegion const& a, shape::BoxRegion const& b)
 {
     return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y), std::min(a.lower.z, b.lower.z)},
             {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y), std::max(a.upper.z, b.upper.z)}};
@@ -57,8 +56,8 @@ shape::BoxRegion domain_of(Setup const& setup, OptionValues const& options)
 {
     auto box = setup.groups.front().bounds();
     for (auto const& group : setup.groups)
-        box = joined(box, group.bounds());
-    box = joined(box, bounds(setup.walls, box));
+        box = hull(box, group.bounds());
+    box = hull(box, bounds(setup.walls, box));
     double const around = 1 + norm(box.upper - box.lower);
     box = {box.lower - Vector3{around, around, around}, box.upper + Vector3{around, around, around}};
     if (auto const& lower = options.vector("domain_lower_mm"); !is_absent(lower))
@@ -78,7 +77,7 @@ void check_meshes(Setup const& setup)
     for (auto const& wall : setup.walls)
         if (auto const* mesh = std::get_if<dem::Mesh>(&wall.parts.front().shape)) {
             try {
-                shape::check_within(*mesh->mesh, setup.domain.lower, setup.domain.upper);
+                shape::check_within(*mesh->mesh, setup.options.domain_lower, setup.options.domain_upper);
             } catch (InputError const& error) {
                 throw InputError(fmt::format("wall.{}: {}", wall.name, error.what()));
             }
@@ -87,47 +86,44 @@ void check_meshes(Setup const& setup)
 
 } // namespace
 
-std::vector<OptionSpec> experiment_options()
+OptionSpecs experiment_options()
 {
     Vector3 const none{not_given, not_given, not_given};
-    std::vector<OptionSpec> specs = {
-        vector("gravity_m_s2", {0, 0, -9.81}, "acceleration of gravity [m/s^2]"),
-        number("series_interval_s", 0.01, "between two looks at conditions and responses [s]", 1e-7),
-        vector(
-            "domain_lower_mm", none,
-            "a particle beyond has escaped; none: a metre and more around all that is there at first [mm]"),
-        vector(
-            "domain_upper_mm", none,
-            "a particle beyond has escaped; none: a metre and more around all that is there at first [mm]"),
-        number("initial_overlap", 0.05, "largest overlap of particles as given, over the smaller radius [-]",
-               0),
-        number("skin", 0.5, "reach of the neighbour lists beyond contact over the smallest radius [-]", 1e-3),
-    };
-    for (auto const& common : {time_step_options(), energy_options()})
-        specs.insert(specs.end(), common.begin(), common.end());
-    return specs;
+    auto const domain_doc =
+        "a particle beyond has escaped; none: a metre and more around all that is there at first [mm]";
+    return joined(
+        {{number("series_interval_s", 0.01, "between two looks at conditions and responses [s]", 1e-7),
+          vector("domain_lower_mm", none, domain_doc), vector("domain_upper_mm", none, domain_doc),
+          number("initial_overlap", 0.05,
+                 "largest overlap of particles as given, and with walls that appear, over the smaller "
+                 "radius [-]",
+                 0),
+          number("skin", 0.5, "reach of the neighbour lists beyond contact over the smallest radius [-]",
+                 1e-3)},
+         run_options()});
 }
 
 Setup::Setup(RunInput const& input)
     : model(input.model), seed(input.seed), walls(read_walls(input)),
-      gravity(input.experiment.vector("gravity_m_s2")),
+      upright(input.experiment.vector("gravity_m_s2")),
       interval(input.experiment.number("series_interval_s")),
-      overlap_limit(input.experiment.number("initial_overlap")),
-      energy_ledger(input.experiment.flag("energy_ledger")),
-      closure_limit(input.experiment.number("energy_closure_limit"))
+      overlap_limit(input.experiment.number("initial_overlap"))
 {
     auto const regions = read_regions(input.experiment);
     groups = read_particles(input, regions);
     stages = read_stages(input.experiment, regions);
     responses = read_responses(input.experiment, regions, groups);
     check_pairs(*this);
-    time_step = time_step_of(*this, input.experiment);
+    options = simulation_options(input.experiment, time_step_of(*this, input.experiment));
+    options.energy_ledger |= std::any_of(responses.begin(), responses.end(),
+                                         [](auto const& r) { return r.quantity == Quantity::energy; });
     double smallest = std::numeric_limits<double>::infinity();
     for (auto const& group : groups)
         smallest = std::min(smallest, group.smallest());
-    skin = input.experiment.number("skin") * 0.5 * smallest;
-    domain = domain_of(*this, input.experiment);
-    span_planes(walls, domain);
+    options.skin = input.experiment.number("skin") * 0.5 * smallest;
+    auto const box = domain_of(*this, input.experiment);
+    options.domain_lower = box.lower, options.domain_upper = box.upper;
+    span_planes(walls, box);
     check_meshes(*this);
     for (auto const& stage : stages)
         for (auto const& wall : stage.walls_on)
@@ -147,12 +143,6 @@ bool Setup::is_on(WallPlan const& wall, std::size_t stage) const
     for (std::size_t k = 0; k <= stage; ++k)
         on = lists(stages[k].walls_on, wall.name) || (on && !lists(stages[k].walls_off, wall.name));
     return on;
-}
-
-bool Setup::reads_energy() const
-{
-    return std::any_of(responses.begin(), responses.end(),
-                       [](auto const& r) { return r.quantity == "energy"; });
 }
 
 double Setup::longest_duration() const

@@ -1,12 +1,14 @@
 #pragma once
 
+#include "src/rig/common.hpp"
 #include "src/rig/custom/responses.hpp"
 #include "src/rig/custom/stages.hpp"
+#include "src/rig/custom/upright.hpp"
 #include "src/rig/custom/walls.hpp"
 
 namespace demens::rig::custom {
 
-std::vector<OptionSpec> experiment_options();
+OptionSpecs experiment_options();
 
 //! The whole rig as its experiment describes it, in SI units.
 struct Setup
@@ -18,19 +20,17 @@ struct Setup
     std::uint64_t seed;
     std::vector<ParticleGroup> groups;
     std::vector<WallPlan> walls;
-    std::vector<Stage> stages;
-    std::vector<Response> responses;
-    shape::BoxRegion domain;          // [m]
-    Vector3 gravity;                  // [m/s^2]
-    double time_step, skin, interval; // [s], [m], [s]
-    double overlap_limit;             // of particles at first, over the smaller radius
-    bool energy_ledger;
-    double closure_limit; // of the energy ledger [-]
+    std::vector<StagePlan> stages;
+    std::vector<ResponsePlan> responses;
+    dem::SimulationOptions options;
+    Upright upright;      // against gravity
+    double interval;      // [s]
+    double overlap_limit; // of what appears, over the smaller radius
 
-    double density(ParticleGroup const& group) const; // [kg/m^3]
+    shape::BoxRegion domain() const { return {options.domain_lower, options.domain_upper}; } // [m]
+    double density(ParticleGroup const& group) const;                                        // [kg/m^3]
     //! Whether a wall is there in a stage.
     bool is_on(WallPlan const& wall, std::size_t stage) const;
-    bool reads_energy() const;       // whether a response needs the energy ledger
     double longest_duration() const; // [s]
     double expected_particles() const;
 };

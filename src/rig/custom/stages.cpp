@@ -10,28 +10,41 @@
 namespace demens::rig::custom {
 namespace {
 
+using Kind = Condition::Kind;
+
+constexpr std::array<Word<Kind>, 5> kinds = {{{Kind::time, "time"},
+                                              {Kind::kinetic_energy, "kinetic_energy"},
+                                              {Kind::speed, "speed"},
+                                              {Kind::count, "count"},
+                                              {Kind::mass, "mass"}}};
+constexpr std::array<Word<Overrun>, 2> overruns = {{{Overrun::fail, "fail"}, {Overrun::go_on, "go_on"}}};
+
 //! Keys of a stage that hold the limits of its condition.
 struct LimitKeys
 {
     std::string below, above; //!< empty: the condition has no such limit
 };
 
-LimitKeys limit_keys(std::string const& until)
+LimitKeys limit_keys(Kind kind)
 {
-    if (until == "kinetic_energy")
+    switch (kind) {
+    case Kind::time:
+        return {};
+    case Kind::kinetic_energy:
         return {"below_j", ""};
-    if (until == "speed")
+    case Kind::speed:
         return {"below_m_s", ""};
-    if (until == "count")
+    case Kind::count:
         return {"below", "above"};
-    if (until == "mass")
+    case Kind::mass:
         return {"below_kg", "above_kg"};
+    }
     return {};
 }
 
 Condition read_condition(OptionValues const& o, OptionValues const& experiment, Regions const& regions)
 {
-    Condition condition{o.text("until"), {}, not_given, not_given};
+    Condition condition{read_word(kinds, o.text("until")), {}, not_given, not_given};
     auto const [below, above] = limit_keys(condition.kind);
     if (!below.empty())
         condition.below = o.number(below);
@@ -40,7 +53,7 @@ Condition read_condition(OptionValues const& o, OptionValues const& experiment, 
         condition.selection = read_selection(o, experiment, regions);
         if (std::isnan(condition.below) == std::isnan(condition.above))
             throw InputError(
-                fmt::format("until = \"{}\" needs either {} or {}", condition.kind, below, above));
+                fmt::format("until = \"{}\" needs either {} or {}", o.text("until"), below, above));
     }
     return condition;
 }
@@ -64,7 +77,7 @@ TableSpec stage_table()
                                         "how long it takes, or may take until its condition holds [s]",
                                         positive)),
                         number("at_least_s", 0, "its condition is not asked before [s]", 0),
-                        choice("at_longest", {"fail", "go_on"},
+                        choice("at_longest", texts_of(overruns),
                                "what becomes of the run when the condition does not hold within duration_s"),
                         walls("walls_on", "walls that are there from its beginning on"),
                         walls("walls_off", "walls that are not there from its beginning on")},
@@ -87,14 +100,15 @@ TableSpec stage_table()
                         number("above_kg", not_given, "more than this [kg]", 0)}}}};
 }
 
-std::vector<Stage> read_stages(OptionValues const& experiment, Regions const& regions)
+std::vector<StagePlan> read_stages(OptionValues const& experiment, Regions const& regions)
 {
-    std::vector<Stage> stages;
+    std::vector<StagePlan> stages;
     for (auto const& o : experiment.tables("stage")) {
         try {
             stages.push_back({o.text("name"), o.number("duration_s"), o.number("at_least_s"),
-                              o.text("at_longest") == "go_on", read_condition(o, experiment, regions),
-                              o.words("walls_on"), o.words("walls_off")});
+                              read_word(overruns, o.text("at_longest")),
+                              read_condition(o, experiment, regions), o.words("walls_on"),
+                              o.words("walls_off")});
         } catch (InputError const& error) {
             throw InputError(fmt::format("stage.{}: {}", o.text("name"), error.what()));
         }
@@ -104,19 +118,41 @@ std::vector<Stage> read_stages(OptionValues const& experiment, Regions const& re
     return stages;
 }
 
-bool Condition::holds(World const& world) const
+Stage make_stage(StagePlan const& plan)
 {
-    if (kind == "time")
+    Stage stage{.name = plan.name, .overrun = plan.overrun, .looks_per_sample = 1, .landmark = plan.name};
+    if (plan.condition.kind == Kind::time) {
+        stage.shortest = plan.duration;
+        return stage;
+    }
+    stage.until = [condition = plan.condition](Look& look) { return condition.holds(look); };
+    stage.waits_for = fmt::format("its condition on {} does not hold", word_for(kinds, plan.condition.kind));
+    stage.shortest = plan.shortest;
+    stage.longest = plan.duration;
+    return stage;
+}
+
+bool Condition::holds(Look& look) const
+{
+    auto& simulation = look.simulation();
+    double value = not_given;
+    switch (kind) {
+    case Kind::time:
         return false;
-    auto const& simulation = world.simulation;
-    double value = 0;
-    if (kind == "kinetic_energy")
+    case Kind::kinetic_energy:
         value = simulation.kinetic_energy() /
-                std::max<double>(1, static_cast<double>(simulation.particles().size()));
-    else if (kind == "speed")
+                std::max<double>(1, static_cast<double>(simulation.counts().particles));
+        break;
+    case Kind::speed:
         value = simulation.largest_speed();
-    else
-        value = kind == "count" ? count(world, selection) : mass(world, selection);
+        break;
+    case Kind::count:
+        value = custom::count(look, selection);
+        break;
+    case Kind::mass:
+        value = custom::mass(look, selection);
+        break;
+    }
     return value < below || value > above;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "demens/rig/rig.hpp"
-#include "src/rig/custom/world.hpp"
+#include "demens/rig/programme/programme.hpp"
+#include "src/rig/custom/selection.hpp"
 
 namespace demens::rig::custom {
 
@@ -11,22 +11,33 @@ TableSpec stage_table();
 //! When a stage ends, beside its time.
 struct Condition
 {
-    std::string kind; //!< `time`: none
+    enum class Kind
+    {
+        time, //!< none
+        kinetic_energy,
+        speed,
+        count,
+        mass
+    };
+    Kind kind;
     Selection selection;
     double below, above; //!< limits; NaN: none
-    bool holds(World const& world) const;
+
+    bool holds(Look& look) const;
 };
 
-struct Stage
+struct StagePlan
 {
     std::string name;
     double duration, shortest; //!< [s]
-    bool may_run_out;          //!< whether the run goes on when the condition does not hold in time
+    Overrun overrun;
     Condition condition;
     std::vector<std::string> walls_on, walls_off;
 };
 
 //! \throws InputError
-std::vector<Stage> read_stages(OptionValues const& experiment, Regions const& regions);
+std::vector<StagePlan> read_stages(OptionValues const& experiment, Regions const& regions);
+//! The stage of a programme that it is, without its beginning.
+Stage make_stage(StagePlan const& plan);
 
 } // namespace demens::rig::custom

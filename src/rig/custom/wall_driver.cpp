@@ -1,5 +1,7 @@
 #include "src/rig/custom/wall_driver.hpp"
 
+#include "src/rig/custom/entry.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -21,60 +23,65 @@ dem::WallMotion rest_of(dem::WallMotion motion, double now)
     return motion;
 }
 
+struct Running
+{
+    dem::WallMotion motion; //!< times are those of the simulation
+    std::size_t until_stage;
+};
+
+//! A wall as a stage has it.
+struct WallState
+{
+    bool on;
+    bool changed = false; //!< in this stage
+    std::vector<Running> running = {};
+};
+
+//! Brings a wall from the stage before to a stage that begins now.
+void begin_stage(WallState& wall, WallPlan const& plan, Setup const& setup, std::size_t stage, double now)
+{
+    bool const was_on = wall.on;
+    wall.on = setup.is_on(plan, stage);
+    wall.changed = wall.on != was_on;
+    wall.changed |= std::erase_if(wall.running, [&](Running const& r) {
+                        return r.until_stage == stage || r.motion.end <= now;
+                    }) > 0;
+    for (auto const& planned : plan.motions)
+        if (planned.from_stage == stage) {
+            wall.running.push_back(
+                {{planned.law, now + planned.start, now + planned.end}, planned.until_stage});
+            wall.changed = true;
+        }
+    if (wall.changed)
+        for (auto& running : wall.running)
+            running.motion = rest_of(running.motion, now);
+}
+
 } // namespace
 
-WallDriver::WallDriver(World& world, Setup const& setup)
-    : world_(world), setup_(setup), running_(setup.walls.size())
+void begin_walls(Bench& bench, Setup const& setup, std::size_t stage)
 {
+    auto& simulation = bench.simulation;
     for (auto const& plan : setup.walls) {
-        world.walls.emplace_back();
-        for (auto const& part : plan.parts)
-            world.walls.back().push_back(world.simulation.add_wall(part));
-    }
-}
-
-void WallDriver::begin(std::size_t stage)
-{
-    for (std::size_t w = 0; w < setup_.walls.size(); ++w) {
-        bool const was_on = world_.simulation.walls()[world_.walls[w].front()].active;
-        bool const on = setup_.is_on(setup_.walls[w], stage);
-        bool const other_motions = renew_motions(w, stage);
-        if (on != was_on || other_motions)
-            set(w, on);
-    }
-}
-
-//! \return whether the wall's motions change now
-bool WallDriver::renew_motions(std::size_t wall, std::size_t stage)
-{
-    double const now = world_.simulation.time();
-    auto& running = running_[wall];
-    auto const before = running.size();
-    std::erase_if(running, [&](Running const& r) { return r.until_stage == stage || r.motion.end <= now; });
-    bool changed = running.size() != before;
-    for (auto const& planned : setup_.walls[wall].motions)
-        if (planned.from_stage == stage) {
-            running.push_back({{planned.law, now + planned.start, now + planned.end}, planned.until_stage});
-            changed = true;
+        // What moves now follows from when the stages so far began.
+        WallState wall{.on = plan.active()};
+        for (std::size_t k = 0; k <= stage; ++k)
+            begin_stage(wall, plan, setup, k, bench.progress.begins[k]);
+        if (!wall.changed)
+            continue;
+        std::vector<dem::WallMotion> motions;
+        for (auto const& running : wall.running)
+            motions.push_back(running.motion);
+        for (auto number = plan.ids.first; number < plan.ids.end; ++number) {
+            dem::WallId const id{number};
+            bool const appears = wall.on && !simulation.wall(id).active;
+            simulation.move(id, dem::WallVelocity{});
+            simulation.activate(id, wall.on);
+            if (!motions.empty())
+                simulation.move(id, motions);
+            if (appears)
+                check_room_for_wall(bench, setup, plan, simulation.wall(id), setup.stages[stage].name);
         }
-    return changed;
-}
-
-void WallDriver::set(std::size_t wall, bool active)
-{
-    double const now = world_.simulation.time();
-    std::vector<dem::WallMotion> motions;
-    for (auto& running : running_[wall]) {
-        running.motion = rest_of(running.motion, now);
-        motions.push_back(running.motion);
-    }
-    for (auto const number : world_.walls[wall]) {
-        auto standing = world_.simulation.walls()[number];
-        standing.active = active;
-        standing.velocity = standing.spin = standing.belt = {};
-        world_.simulation.set_wall(number, standing);
-        if (!motions.empty())
-            world_.simulation.set_motions(number, motions);
     }
 }
 

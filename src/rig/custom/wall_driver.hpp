@@ -4,26 +4,8 @@
 
 namespace demens::rig::custom {
 
-//! Switches walls and their motions when stages begin.
-class WallDriver
-{
-  public:
-    //! Adds the walls to the world.
-    WallDriver(World& world, Setup const& setup);
-    void begin(std::size_t stage);
-
-  private:
-    struct Running
-    {
-        dem::WallMotion motion; //!< times are those of the simulation
-        std::size_t until_stage;
-    };
-    bool renew_motions(std::size_t wall, std::size_t stage);
-    void set(std::size_t wall, bool active);
-
-    World& world_;
-    Setup const& setup_;
-    std::vector<std::vector<Running>> running_; //!< of each wall
-};
+//! Switches walls and their motions as a stage begins. \throws InputError when a wall appears where particles
+//! are
+void begin_walls(Bench& bench, Setup const& setup, std::size_t stage);
 
 } // namespace demens::rig::custom

@@ -1,8 +1,9 @@
 #include "src/rig/custom/walls.hpp"
 
 #include "demens/base/error.hpp"
-#include "demens/rig/common.hpp"
 #include "demens/shape/stl.hpp"
+#include "src/rig/common.hpp"
+#include "src/rig/custom/selection.hpp"
 #include "src/rig/custom/specs.hpp"
 
 #include <algorithm>
@@ -16,6 +17,36 @@ namespace demens::rig::custom {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
+enum class WallKind
+{
+    plane,
+    rectangle,
+    disc,
+    cylinder,
+    cone,
+    box,
+    mesh
+};
+constexpr std::array<Word<WallKind>, 7> wall_shapes = {{{WallKind::plane, "plane"},
+                                                        {WallKind::rectangle, "rectangle"},
+                                                        {WallKind::disc, "disc"},
+                                                        {WallKind::cylinder, "cylinder"},
+                                                        {WallKind::cone, "cone"},
+                                                        {WallKind::box, "box"},
+                                                        {WallKind::mesh, "mesh"}}};
+enum class MotionKind
+{
+    rotation,
+    translation,
+    oscillation,
+    swing,
+    belt
+};
+constexpr std::array<Word<MotionKind>, 5> motion_kinds = {{{MotionKind::rotation, "rotation"},
+                                                           {MotionKind::translation, "translation"},
+                                                           {MotionKind::oscillation, "oscillation"},
+                                                           {MotionKind::swing, "swing"},
+                                                           {MotionKind::belt, "belt"}}};
 //! Half length of a plane before it is fitted to the domain [m]; no other rectangle is so large.
 constexpr double endless = 1e6;
 
@@ -88,60 +119,77 @@ std::vector<dem::WallShape> box(OptionValues const& o)
     return shapes;
 }
 
-std::vector<dem::WallShape> read_shapes(OptionValues const& o, RunInput const& input)
+dem::WallShape cylinder(OptionValues const& o)
 {
-    auto const& shape = o.text("shape");
-    if (shape == "plane")
-        return {plane(millimetres(o, "through_mm"), direction(o, "normal"))};
-    if (shape == "rectangle")
-        return {
-            rectangle(millimetres(o, "corner_mm"), millimetres(o, "side_u_mm"), millimetres(o, "side_v_mm"))};
-    if (shape == "disc")
-        return {dem::Disc{millimetres(o, "centre_mm"), direction(o, "normal"), 1e-3 * o.number("radius_mm")}};
-    if (shape == "box")
-        return box(o);
-    if (shape == "mesh")
-        return {dem::Mesh{
-            shape::load_mesh(o.text("file"), *input.files.at(o.text("file")),
-                             {1e-3 * o.number("unit_mm"), Placement{{}, millimetres(o, "shift_mm")}})}};
     auto const [centre, axis, half_length] = spindle(o);
-    if (shape == "cylinder")
-        return {dem::Cylinder{centre, axis, half_length, 1e-3 * o.number("radius_mm")}};
+    return dem::Cylinder{centre, axis, half_length, 1e-3 * o.number("radius_mm")};
+}
+
+dem::WallShape cone(OptionValues const& o)
+{
+    auto const [centre, axis, half_length] = spindle(o);
     double const start = 1e-3 * o.number("radius_from_mm"), end = 1e-3 * o.number("radius_to_mm");
     if (!(start > 0 || end > 0))
         throw InputError("one of radius_from_mm and radius_to_mm must be greater than 0");
-    return {dem::Cone{centre, axis, half_length, start, end}};
+    return dem::Cone{centre, axis, half_length, start, end};
+}
+
+dem::WallShape mesh(OptionValues const& o, Files const& files)
+{
+    auto const& file = o.text("file");
+    return dem::Mesh{shape::load_mesh(
+        file, *files.at(file), {1e-3 * o.number("unit_mm"), Placement{{}, millimetres(o, "shift_mm")}})};
+}
+
+std::vector<dem::WallShape> read_shapes(OptionValues const& o, RunInput const& input)
+{
+    switch (read_word(wall_shapes, o.text("shape"))) {
+    case WallKind::plane:
+        return {plane(millimetres(o, "through_mm"), direction(o, "normal"))};
+    case WallKind::rectangle:
+        return {
+            rectangle(millimetres(o, "corner_mm"), millimetres(o, "side_u_mm"), millimetres(o, "side_v_mm"))};
+    case WallKind::disc:
+        return {dem::Disc{millimetres(o, "centre_mm"), direction(o, "normal"), 1e-3 * o.number("radius_mm")}};
+    case WallKind::cylinder:
+        return {cylinder(o)};
+    case WallKind::cone:
+        return {cone(o)};
+    case WallKind::box:
+        return box(o);
+    case WallKind::mesh:
+        return {mesh(o, input.files)};
+    }
+    return {};
 }
 
 decltype(dem::WallMotion::law) read_law(OptionValues const& o)
 {
-    auto const& kind = o.text("kind");
-    if (kind == "rotation")
+    switch (read_word(motion_kinds, o.text("kind"))) {
+    case MotionKind::rotation:
         return dem::Rotate{millimetres(o, "through_mm"), direction(o, "axis"),
                            o.number("speed_rpm") * 2 * std::numbers::pi / 60};
-    if (kind == "translation")
+    case MotionKind::translation:
         return dem::Translate{o.vector("velocity_m_s")};
-    if (kind == "oscillation")
+    case MotionKind::oscillation:
         return dem::Shake{millimetres(o, "amplitude_mm"), o.number("frequency_hz"),
                           o.number("phase_deg") * degree};
-    if (kind == "swing")
+    case MotionKind::swing:
         return dem::Swing{millimetres(o, "through_mm"), direction(o, "axis"),
                           o.number("amplitude_deg") * degree, o.number("frequency_hz"),
                           o.number("phase_deg") * degree};
-    return dem::Convey{o.vector("velocity_m_s")};
+    case MotionKind::belt:
+        return dem::Convey{o.vector("velocity_m_s")};
+    }
+    return {};
 }
 
 PlannedMotion read_motion(OptionValues const& o, std::vector<OptionValues> const& stages)
 {
-    auto const number_of = [&](std::string const& key, std::size_t without) {
-        for (std::size_t k = 0; k < stages.size(); ++k)
-            if (stages[k].text("name") == o.text(key))
-                return k;
-        return without;
-    };
-    PlannedMotion motion{
-        read_law(o), number_of("from_stage", 0), number_of("until_stage", stages.size()), o.number("start_s"),
-        is_absent(o.number("end_s")) ? std::numeric_limits<double>::infinity() : o.number("end_s")};
+    PlannedMotion motion{read_law(o), position_of(stages, o.text("from_stage"), 0),
+                         position_of(stages, o.text("until_stage"), stages.size()), o.number("start_s"),
+                         is_absent(o.number("end_s")) ? std::numeric_limits<double>::infinity()
+                                                      : o.number("end_s")};
     if (motion.until_stage <= motion.from_stage)
         throw InputError(
             fmt::format("until_stage = \"{}\" must come after from_stage", o.text("until_stage")));
@@ -180,6 +228,8 @@ std::vector<WallPlan> read_walls(RunInput const& input)
     for (auto const& o : input.experiment.tables("wall")) {
         try {
             walls.push_back(read_wall(o, input));
+            auto const first = walls.size() > 1 ? walls[walls.size() - 2].ids.end : 0;
+            walls.back().ids = {first, first + static_cast<std::uint32_t>(walls.back().parts.size())};
         } catch (InputError const& error) {
             throw InputError(fmt::format("wall.{}: {}", o.text("name"), error.what()));
         }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "demens/dem/ids.hpp"
 #include "demens/dem/wall.hpp"
 #include "demens/dem/wall_motion.hpp"
 #include "demens/rig/rig.hpp"
@@ -27,6 +28,7 @@ struct WallPlan
     std::string name, material;
     std::vector<dem::Wall> parts;
     std::vector<PlannedMotion> motions;
+    dem::IdRange ids = {}; //!< of its parts
 
     bool active() const { return parts.front().active; }
 };

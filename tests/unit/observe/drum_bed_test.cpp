@@ -22,6 +22,11 @@ dem::Motion of_mass(double mass)
     return motion;
 }
 
+dem::StateView view_of(dem::Particles const& particles)
+{
+    return {{particles.place, particles.motion, particles.load, particles.material, particles.id}, {0, {}}};
+}
+
 //! A drum of radius 1 filled below a surface at an angle with grains so fine that their raster is dense.
 dem::Particles fine_bed(double fill, double angle_deg, double spacing)
 {
@@ -66,10 +71,12 @@ TEST(CircularSegment, GivesTheBedAnglesOfThePapersEnergies)
 TEST(PotentialEnergy, OfABedIsThatOfItsSegment)
 {
     for (double const fill : {0.35, 0.40})
-        for (double const angle : {0.0, 35.4, 41.3})
-            EXPECT_NEAR(observe::specific_potential_energy(fine_bed(fill, angle, 0.005), 9.81, -1),
+        for (double const angle : {0.0, 35.4, 41.3}) {
+            auto const bed = fine_bed(fill, angle, 0.005);
+            EXPECT_NEAR(observe::specific_potential_energy(view_of(bed), 9.81, -1),
                         9.81 * CircularSegment(fill).energy(angle), 2e-3 * 9.81)
                 << fill << " " << angle;
+        }
 }
 
 TEST(PotentialEnergy, WeighsByMass)
@@ -77,7 +84,7 @@ TEST(PotentialEnergy, WeighsByMass)
     dem::Particles two;
     two.place = {{0, 0, 1, 0.1}, {0, 0, 2, 0.1}};
     two.motion = {of_mass(3), of_mass(1)};
-    EXPECT_DOUBLE_EQ(observe::specific_potential_energy(two, 10, 0), 12.5);
+    EXPECT_DOUBLE_EQ(observe::specific_potential_energy(view_of(two), 10, 0), 12.5);
 }
 
 TEST(EndView, SeesTheFillOfAnIdealBedAndItsSurface)
@@ -85,7 +92,7 @@ TEST(EndView, SeesTheFillOfAnIdealBedAndItsSurface)
     for (double const fill : {0.2, 0.4, 0.6})
         for (double const angle : {0.0, 25.0, 40.0, -40.0}) {
             observe::EndView view(1, 400);
-            view.draw(fine_bed(fill, angle, 0.005));
+            view.draw(fine_bed(fill, angle, 0.005).place);
             EXPECT_NEAR(view.covered_fraction(), fill, 4e-3) << fill << " " << angle;
             auto const line = observe::fit_principal_line(view.surface(0.05));
             EXPECT_NEAR(line.angle_deg, angle, 0.15) << fill << " " << angle;
@@ -98,15 +105,15 @@ TEST(EndView, CoversThePixelsWhoseCentresAreInADisc)
     observe::EndView view(2, 4); // pixel centres at -1.5, -0.5, 0.5, 1.5; the corners are outside the drum
     dem::Particles one;
     one.place = {{0.5, 0, 0.5, 0.9}};
-    view.draw(one);
+    view.draw(one.place);
     EXPECT_TRUE(view.covered(2, 2));
     EXPECT_FALSE(view.covered(1, 2));
     EXPECT_DOUBLE_EQ(view.covered_fraction(), 1.0 / 12);
     one.place[0].radius = 1.01;
-    view.draw(one);
+    view.draw(one.place);
     EXPECT_DOUBLE_EQ(view.covered_fraction(), 5.0 / 12); // the four neighbours, too
     one.place = {{-1.5, 3, 1.5, 0.9}};
-    view.draw(one);
+    view.draw(one.place);
     EXPECT_EQ(view.covered_fraction(), 0);
 }
 

@@ -1,3 +1,4 @@
+#include "demens/observe/layers.hpp"
 #include "demens/observe/surface.hpp"
 
 #include <gtest/gtest.h>
@@ -9,21 +10,21 @@ namespace {
 using namespace demens;
 
 //! Small spheres along z = |slope x|, falling away from the middle when slope < 0.
-dem::Particles roof(double slope)
+std::vector<dem::Place> roof(double slope)
 {
-    dem::Particles particles;
+    std::vector<dem::Place> places;
     for (int k = -500; k <= 500; ++k) {
         double const x = 1e-3 * k;
-        particles.place.push_back({x, 0, slope * std::abs(x), 1e-3});
-        particles.place.push_back({x, 0, slope * std::abs(x) - 0.05, 1e-3}); // below, hidden
+        places.push_back({x, 0, slope * std::abs(x), 1e-3});
+        places.push_back({x, 0, slope * std::abs(x) - 0.05, 1e-3}); // below, hidden
     }
-    return particles;
+    return places;
 }
 
 TEST(Surface, ProfileFollowsTheHighestSpheres)
 {
     auto const profile =
-        observe::surface_profile(roof(-0.5), -0.4, 0.4, 200, -9, [](auto const&) { return true; });
+        observe::surface_profile(roof(-0.5), -0.4, 0.4, 200, [](auto const&) { return true; });
     ASSERT_EQ(profile.x.size(), 200u);
     for (std::size_t k = 0; k < profile.x.size(); ++k)
         EXPECT_NEAR(profile.z[k], -0.5 * std::abs(profile.x[k]) + 1e-3 * std::sqrt(1.25), 3e-4);
@@ -32,20 +33,40 @@ TEST(Surface, ProfileFollowsTheHighestSpheres)
 TEST(Surface, LineHasTheSlopeOfTheSide)
 {
     auto const profile =
-        observe::surface_profile(roof(-0.5), -0.4, 0.4, 200, -9, [](auto const&) { return true; });
-    EXPECT_NEAR(observe::fit_line(profile, 0.05, 0.35).slope, -0.5, 2e-3);
-    EXPECT_NEAR(observe::fit_line(profile, -0.35, -0.05).slope, 0.5, 2e-3);
-    EXPECT_NEAR(observe::fit_line(profile, 0.05, 0.35).angle_deg(), -26.565, 0.1);
+        observe::surface_profile(roof(-0.5), -0.4, 0.4, 200, [](auto const&) { return true; });
+    EXPECT_NEAR(observe::fit_line(profile.x, profile.z, 0.05, 0.35).slope, -0.5, 2e-3);
+    EXPECT_NEAR(observe::fit_line(profile.x, profile.z, -0.35, -0.05).slope, 0.5, 2e-3);
+    EXPECT_NEAR(observe::fit_line(profile.x, profile.z, 0.05, 0.35).angle_deg(), -26.565, 0.1);
 }
 
 TEST(Surface, GapsAreLeftOut)
 {
-    dem::Particles particles;
-    particles.place.push_back({0, 0, 1, 0.1});
-    auto const profile =
-        observe::surface_profile(particles, -1, 1, 100, -9, [](auto const&) { return true; });
-    EXPECT_EQ(observe::fit_line(profile, 0.5, 1).points, 0);
-    EXPECT_EQ(observe::fit_line(profile, -1, 1).points, 10);
+    std::vector<dem::Place> const one = {{0, 0, 1, 0.1}};
+    auto const profile = observe::surface_profile(one, -1, 1, 100, [](auto const&) { return true; });
+    EXPECT_EQ(observe::fit_line(profile.x, profile.z, 0.5, 1).points, 0);
+    EXPECT_EQ(observe::fit_line(profile.x, profile.z, -1, 1).points, 10);
+}
+
+TEST(Surface, MapOfOneSphereIsTwoThirdsOfItsRadiusHighOnTheMean)
+{
+    EXPECT_TRUE(std::isnan(observe::surface_map({}, 0.1).mean_height()));
+    std::vector<dem::Place> const places = {{0, 0, 5, 1}, {0.1, 0, 3, 0.5}}; // the second one hides below
+    auto const map = observe::surface_map(places, 0.005);
+    EXPECT_NEAR(map.mean_height(), 5 + 2.0 / 3, 2e-4);
+    // Over x the mean of sqrt(1 - x^2 - y^2) over |y| < sqrt(1 - x^2): pi/4 sqrt(1 - x^2).
+    auto const profile = map.along_x();
+    ASSERT_EQ(profile.x.size(), 400u);
+    EXPECT_NEAR(profile.x[300], 0.5025, 1e-12);
+    EXPECT_NEAR(profile.z[300], 5 + M_PI / 4 * std::sqrt(1 - 0.5025 * 0.5025), 2e-3);
+}
+
+TEST(Layers, OfASphereAreThoseOfItsCaps)
+{
+    // A sphere of radius 1 at z = 1 in two layers of 0.5 from z = 0: caps of heights 0.5 and 1.
+    std::vector<dem::Place> const one = {{0, 0, 1, 1}};
+    auto const volumes = observe::volume_in_layers(one, 0, 1, 2);
+    EXPECT_NEAR(volumes[0], M_PI / 3 * 0.25 * 2.5, 1e-12);
+    EXPECT_NEAR(volumes[0] + volumes[1], M_PI / 3 * 2, 1e-12);
 }
 
 TEST(Surface, LeastSquaresLine)

@@ -145,7 +145,7 @@ TEST(Picture, leaves_out_particles_that_are_nowhere)
 
 TEST(Picture, thins_a_long_series)
 {
-    auto const columns = series_of(test::sample_details(0).series);
+    auto const columns = columns_of(test::sample_details(0).series);
     ASSERT_EQ(columns.size(), 2u);
     EXPECT_EQ(columns[1]["units"], "kg");
     EXPECT_EQ(columns[1]["values"].size(), 601u); // every second of 1201

@@ -106,12 +106,14 @@ TEST(Render, finished_campaign)
     EXPECT_EQ(marks.at("response-1-0-cohesion"), 4 + 12);
     EXPECT_EQ(marks.at("response-0-2-cohesion"), 11); // without a target
     EXPECT_EQ(marks.at("series-0-upper_mass_kg"), 1);
+    EXPECT_EQ(marks.at("profile-0-heap"), 1);
     EXPECT_EQ(marks.at("timing"), 24 + 2);
     EXPECT_EQ(marks.at("picture-1-final"),
               600 + 3 +
                   2); // particles, two sides and the floor, two lines of a curved wall; the pane is not drawn
-    // Four of the fit, two experiments with three responses against three factors, series, timing, pictures.
-    EXPECT_EQ(marks.size(), 4u + 2u * 3u * 3u + 2u + 1u + 4u);
+    // Four of the fit, two experiments with three responses against three factors, series,
+    // profiles, timing, pictures.
+    EXPECT_EQ(marks.size(), 4u + 2u * 3u * 3u + 2u + 2u + 1u + 4u);
     EXPECT_EQ(count_of(page, "<tr class=\"failed\""), 1);
     EXPECT_EQ(count_of(page, "<tr class=\"best\""), 4);
     EXPECT_NE(page.find("no better point in 4 waves"), std::string::npos);

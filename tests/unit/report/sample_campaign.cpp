@@ -262,6 +262,8 @@ ensemble::RunDetails sample_details(int run)
         details.series.columns[0].push_back(0.002 * i);
         details.series.columns[1].push_back(25.0 - 0.01 * i + 0.001 * run);
     }
+    details.profiles = {
+        {"heap", "surface of the heap", {{"x", "height"}, {"m", "m"}, {{0, 0.1, 0.2}, {0.3, 0.2, 0.1}}}}};
     return details;
 }
 

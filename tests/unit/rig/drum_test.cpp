@@ -103,6 +103,36 @@ TEST(Drum, EnergyIsThatOfTheBedThatTheCameraSees)
     EXPECT_EQ(result.snapshots.size(), 2u);
 }
 
+TEST(Drum, KeepsTheMeanSurface)
+{
+    auto const result = run(small_drum());
+    ASSERT_EQ(result.profiles.size(), 1u);
+    auto const& surface = result.profiles[0].curve;
+    EXPECT_EQ(surface.names, (std::vector<std::string>{"x", "height"}));
+    ASSERT_EQ(surface.rows(), 256u);
+    // The mean surface rises by the mean angle, within a few degrees.
+    auto const& height = surface.column("height");
+    double const rise = (height[168] - height[88]) / (80 * 20e-3 / 256);
+    EXPECT_NEAR(std::atan(rise) * 180 / std::numbers::pi, responses(result).at("angle_of_repose_deg"), 4);
+}
+
+TEST(Drum, TurnsAndFallsAsSlowlyAsGravityAllows)
+{
+    auto input = small_drum();
+    input.experiment.set("measure_turns", 0.1);
+    double const cost = rig::find_rig("drum")->predict_cost(input);
+    input.experiment.set("gravity_m_s2", Vector3{0, 0, -1.62});
+    auto const result = run(input);
+    ASSERT_EQ(result.status, rig::RunStatus::finished) << result.reason;
+    // A tenth of a turn at the same Froude number, and the energy in units of g R.
+    EXPECT_NEAR(result.series.column("time").back(),
+                0.1 * 2 * std::numbers::pi * std::sqrt(0.01 / (1e-2 * 1.62)), 0.1);
+    EXPECT_NEAR(responses(result).at("energy_mJ_kg") / (1.62 * 10), 0.55, 0.1);
+    EXPECT_NEAR(rig::find_rig("drum")->predict_cost(input) / cost, std::sqrt(9.81 / 1.62), 1e-9);
+    input.experiment.set("gravity_m_s2", Vector3{0, 0, 9.81});
+    EXPECT_NE(refusal(input).find("must point straight down"), std::string::npos);
+}
+
 TEST(Drum, TheEnergyLedgerClosesAndChangesNothing)
 {
     // Nearly a whole turn: the grains are so soft that their fall while filling alone, at 0.2 of the Rayleigh

@@ -1,12 +1,13 @@
 // The rigs: what they check before a run, and that a bad run is a status.
 #include "demens/base/error.hpp"
-#include "demens/rig/common.hpp"
 #include "demens/rig/rig.hpp"
+#include "src/rig/common.hpp"
 #include "tests/support/small_drawdown.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 namespace {
 
@@ -45,6 +46,58 @@ TEST(Drawdown, EmptiesThroughTheSlotAndLeavesTwoWedges)
     EXPECT_DOUBLE_EQ(mass.back(), result.responses[3]);
     ASSERT_EQ(result.snapshots.size(), 2u);
     EXPECT_EQ(result.snapshots[0].x.size(), static_cast<std::size_t>(result.particles));
+}
+
+TEST(Drawdown, KeepsTheCurvesThatItsResponsesAreMadeOf)
+{
+    auto const& info = *rig::find_rig("drawdown");
+    auto const result = info.run(small_drawdown(1), {});
+    std::map<std::string, rig::Series> curves;
+    for (auto const& profile : result.profiles)
+        curves[profile.name] = profile.curve;
+    ASSERT_EQ(curves.size(), 4u);
+    // The bulk density is the mass over the mean height of the bed: 240 mm by 60 mm.
+    double height = 0;
+    for (double const z : curves.at("bed").column("height"))
+        height += z / 200;
+    EXPECT_NEAR(2.6 / (height * 0.24 * 0.06), result.responses[4], 1e-9);
+    // The layers have all mass below the height that was asked for, but for what the windows and the lid let
+    // overlap.
+    auto const& density = curves.at("bed_density").column("density");
+    ASSERT_EQ(density.size(), 20u);
+    double mass = 0;
+    for (double const layer : density)
+        mass += layer * 2.6 / 1500 / 20;
+    EXPECT_NEAR(mass, 2.6, 0.1);
+    EXPECT_GT(density[10], 1200);
+    // The heap is highest near the middle, above the lower floor at -0.2 m.
+    auto const& heap = curves.at("heap").column("height");
+    EXPECT_EQ(heap.size(), 400u);
+    EXPECT_GT(heap[200], heap[20]);
+    EXPECT_GT(heap[20], -0.2);
+    EXPECT_EQ(curves.at("wedges").units, (std::vector<std::string>{"m", "m"}));
+}
+
+TEST(Drawdown, FallsSlowerWhereGravityIsWeak)
+{
+    auto const& info = *rig::find_rig("drawdown");
+    auto input = small_drawdown(1);
+    double const cost = info.predict_cost(input);
+    auto const on_earth = info.run(input, {});
+    input.experiment.set("gravity_m_s2", Vector3{0, 0, -9.81 / 4});
+    input.experiment.set("end_speed_m_s", 0.1); // speeds go with the root of gravity
+    input.experiment.set("gate_speed_m_s", 0.5);
+    auto const weak = info.run(input, {});
+    ASSERT_EQ(weak.status, rig::RunStatus::finished) << weak.reason;
+    EXPECT_NEAR(weak.responses[2] / on_earth.responses[2], 0.5, 0.08);
+    EXPECT_GT(info.predict_cost(input), 1.1 * cost);
+    input.experiment.set("gravity_m_s2", Vector3{0, -9.81, 0});
+    try {
+        info.check(input);
+        FAIL() << "gravity along -y was accepted";
+    } catch (InputError const& error) {
+        EXPECT_NE(std::string(error.what()).find("must point straight down, along -z"), std::string::npos);
+    }
 }
 
 TEST(Drawdown, SameSeedSameBitsOtherSeedOtherPacking)
@@ -140,6 +193,34 @@ TEST(Impact, ReboundHasTheRestitutionOfThePair)
     ASSERT_EQ(result.status, rig::RunStatus::finished) << result.reason;
     EXPECT_NEAR(result.responses[0], 0.6, 1e-3);
     EXPECT_FALSE(result.energy);
+}
+
+TEST(Impact, KeepsForceAndOverlapOverTime)
+{
+    auto const result = rig::find_rig("impact")->run(steel_impact(), {});
+    auto const& series = result.series;
+    EXPECT_EQ(series.units, (std::vector<std::string>{"s", "m", "1", "N", "m/s", "m/s", "rad/s"}));
+    EXPECT_NEAR(series.column("normal_velocity").front(), -1, 1e-12);
+    EXPECT_NEAR(series.column("normal_velocity").back(), 0.6, 1e-3);
+    // The force is the change of momentum: m (1 + e) v.
+    double impulse = 0, dt = series.column("time")[1] - series.column("time")[0];
+    for (double const force : series.column("normal_force"))
+        impulse += force * dt;
+    double const momentum = 7850 * 4.0 / 3 * 3.14159265 * std::pow(2.5e-3, 3) * 1.6;
+    EXPECT_NEAR(impulse, momentum, 0.01 * momentum);
+}
+
+TEST(Impact, HasGravityWhereItIsGiven)
+{
+    // Along the plane, without friction: as long as the contact lasts.
+    auto input = steel_impact();
+    auto const without = rig::find_rig("impact")->run(input, {});
+    input.model.pairs[0].static_friction = input.model.pairs[0].kinetic_friction = 0;
+    input.experiment.set("gravity_m_s2", Vector3{1e3, 0, 0});
+    auto const with = rig::find_rig("impact")->run(input, {});
+    double const duration = 1e-6 * with.responses[4];
+    EXPECT_NEAR(with.series.column("tangential_velocity").back(), 1e3 * duration, 0.2e3 * duration);
+    EXPECT_EQ(without.series.column("tangential_velocity").back(), 0);
 }
 
 TEST(Impact, KeepsTheEnergyLedgerWhereAsked)

@@ -1,7 +1,6 @@
 // Regions, packing of regions, tables of particles and what is observed, each by itself.
 #include "demens/base/error.hpp"
 #include "demens/observe/segregation.hpp"
-#include "demens/observe/surface.hpp"
 #include "demens/shape/packing.hpp"
 #include "src/rig/custom/particle_csv.hpp"
 
@@ -153,14 +152,6 @@ TEST(Segregation, OfApartMixedAndHalfMixedCells)
     EXPECT_DOUBLE_EQ(half.intensity(), 0.25);
     alone.add({0, 0, 0}, 1, true);
     EXPECT_TRUE(std::isnan(alone.intensity()));
-}
-
-TEST(MeanSurfaceHeight, OfOneSphereIsTwoThirdsOfItsRadiusAboveItsCentre)
-{
-    dem::Particles particles;
-    EXPECT_TRUE(std::isnan(observe::mean_surface_height(particles, 0.1)));
-    particles.place = {{0, 0, 5, 1}, {0.1, 0, 3, 0.5}}; // the second one hides below
-    EXPECT_NEAR(observe::mean_surface_height(particles, 0.005), 5 + 2.0 / 3, 2e-4);
 }
 
 } // namespace

@@ -135,5 +135,39 @@ TEST(CustomResponses, SlopeOfARowOfSpheres)
     EXPECT_NEAR(response_of(text, "angle", {{"row.csv", csv}}), 30, 0.1);
 }
 
+TEST(CustomResponses, TorqueAboutAShaft)
+{
+    // A ball at x = 30 mm on a plate from -50 to 50 mm, whose shaft is at x = -20 mm: 50 mm times its weight.
+    auto const plate =
+        wall("plate", "shape = \"rectangle\"\ncorner_mm = [-50, -50, 0]\nside_u_mm = [100, 0, 0]\n"
+                      "side_v_mm = [0, 100, 0]");
+    auto const torque = [&](std::string const& about) {
+        auto const text = custom_campaign(
+            ball("place_mm = [30, 0, 5]") + plate + stage("settle", "duration_s = 0.5") +
+            stage("rest", "duration_s = 0.1") +
+            response("torque",
+                     "quantity = \"wall_torque\"\nwall = \"plate\"\naxis = \"y\"\ntake = \"mean\"\n" +
+                         about));
+        return response_of(text, "torque");
+    };
+    double const weight = ball_mass * 9.81;
+    EXPECT_NEAR(torque("about_mm = [-20, 0, 0]"), 0.05 * weight, 1e-5 * weight);
+    EXPECT_NEAR(torque("about_mm = [40, 7, 0]"), -0.01 * weight, 1e-5 * weight);
+    EXPECT_EQ(torque("about_mm = [0, 0, 0]"), torque(""));
+}
+
+TEST(CustomResponses, SurfacesAreKeptAsProfiles)
+{
+    auto const result =
+        run_custom(custom_campaign(ball("place_mm = [1, 0, 0]") + stage("only", "duration_s = 0.01") +
+                                       response("height", "quantity = \"surface_height\"\ncell_mm = 0.5") +
+                                       response("angle", "quantity = \"profile_angle\"\ncell_mm = 0.5"),
+                                   "gravity_m_s2 = [0, 0, 0]\n"));
+    ASSERT_EQ(result.profiles.size(), 2u);
+    EXPECT_EQ(result.profiles[0].name, "height");
+    EXPECT_EQ(result.profiles[0].curve.units, (std::vector<std::string>{"m", "m"}));
+    EXPECT_EQ(result.profiles[0].curve.rows(), 20u); // 10 mm across
+}
+
 } // namespace
 } // namespace demens::test

@@ -71,6 +71,41 @@ TEST(CustomWalls, AreSwitchedByStages)
     EXPECT_LT(response_of(text, "fallen"), -0.19);
 }
 
+TEST(CustomWalls, BearNothingWhenTheyAreGone)
+{
+    auto const gate =
+        wall("gate", "shape = \"disc\"\ncentre_mm = [0, 0, 0]\nnormal = [0, 0, 1]\nradius_mm = 20");
+    auto const text =
+        custom_campaign(ball("place_mm = [0, 0, 5]") + gate + stage("rest", "duration_s = 0.3") +
+                        stage("gone", "duration_s = 0.05\nwalls_off = [\"gate\"]") +
+                        response("held", "quantity = \"wall_force\"\nwall = \"gate\"\nstage = \"rest\"") +
+                        response("gone", "quantity = \"wall_force\"\nwall = \"gate\"\ntake = \"max\""));
+    EXPECT_NEAR(response_of(text, "held"), ball_mass * 9.81, 1e-6);
+    EXPECT_EQ(response_of(text, "gone"), 0);
+}
+
+TEST(CustomWalls, MustNotAppearInParticles)
+{
+    auto const lid = [](double x) {
+        return wall("lid", "shape = \"rectangle\"\ncorner_mm = [-20, " + std::to_string(x) +
+                               ", 0]\nside_u_mm = [40, 0, 0]\nside_v_mm = [0, 0, 20]\non = false");
+    };
+    auto const run = [&](double x) {
+        return run_custom(custom_campaign(
+            ball("place_mm = [0, 0, 5]") + floor_at_zero + lid(x) + stage("rest", "duration_s = 0.1") +
+            stage("closed", "duration_s = 0.1\nwalls_on = [\"lid\"]") +
+            response("v", "quantity = \"speed\"\nof = \"ball\"\ntake = \"max\"")));
+    };
+    // 2 mm from the centre of a sphere of 5 mm: 3 mm deep.
+    auto const inside = run(-2);
+    EXPECT_EQ(inside.status, rig::RunStatus::error);
+    EXPECT_THAT(inside.reason, HasSubstr("the wall lid appears in stage \"closed\" where a particle is"));
+    EXPECT_THAT(inside.reason, HasSubstr("it reaches 3 mm into it, 0.6 of the radius"));
+    auto const beside = run(-5.001);
+    EXPECT_EQ(beside.status, rig::RunStatus::finished) << beside.reason;
+    EXPECT_LT(beside.responses[0], 1e-3);
+}
+
 //! Final height of a ball above where it rested on a plane that moves, over 0.1 s stages `a`, `b`, `c`.
 double lifted(std::string const& motions)
 {

@@ -11,7 +11,7 @@
 namespace demens::rig {
 namespace {
 
-constexpr double pi = std::numbers::pi, gravity = 9.81;
+constexpr double pi = std::numbers::pi;
 
 double median(Powder const& powder)
 {
@@ -24,29 +24,29 @@ double expected_particles(DrumState const& drum, Powder const& powder)
 }
 
 //! Pull-off force of two median particles, 4 pi gamma R* with R* = d/4, over their weight rho pi/6 d^3 g.
-double bond_number(Powder const& powder)
+double bond_number(DrumState const& drum, Powder const& powder)
 {
     double const d = median(powder);
-    return 6 * powder.surface_energy / (powder.material.density * gravity * d * d);
+    return 6 * powder.surface_energy / (powder.material.density * drum.gravity * d * d);
 }
 
 //! Pull-off force over the area d^2 of a particle, as a strength, over the pressure rho g R of the bed.
 double bed_cohesion(DrumState const& drum, Powder const& powder)
 {
-    return bond_number(powder) * median(powder) / drum.radius;
+    return bond_number(drum, powder) * median(powder) / drum.radius;
 }
 
 //! Over a pressure, to the power 2/3: diameter over overlap of Hertzian particles, but for a factor near 1.
 double stiffness_number(DrumState const& drum, Powder const& powder)
 {
-    double const nu = powder.material.poisson_ratio, pressure = powder.bulk_density * gravity * drum.radius;
+    double const nu = powder.material.poisson_ratio, pressure = powder.bulk_density * drum.gravity * drum.radius;
     return std::pow(powder.material.youngs_modulus / ((1 - nu * nu) * pressure), 2.0 / 3);
 }
 
 //! d_R times the spin sqrt(g R)/d of a particle that rolls as fast as an avalanche.
 double rolling_group(DrumState const& drum, Powder const& powder)
 {
-    return powder.rolling_resistance * std::sqrt(gravity * drum.radius) / median(powder);
+    return powder.rolling_resistance * std::sqrt(drum.gravity * drum.radius) / median(powder);
 }
 
 std::vector<SimilarityGroup> groups_of(DrumState const& real, Powder const& real_powder,
@@ -70,7 +70,7 @@ std::vector<SimilarityGroup> groups_of(DrumState const& real, Powder const& real
     };
     if (real_powder.surface_energy > 0) {
         groups.push_back(
-            {"Bond number", "6 gamma/(rho g d50^2)", bond_number(real_powder), bond_number(powder)});
+            {"Bond number", "6 gamma/(rho g d50^2)", bond_number(real, real_powder), bond_number(drum, powder)});
         groups.push_back({"cohesion of the bed", "6 gamma/(rho g d50 R)", bed_cohesion(real, real_powder),
                           bed_cohesion(drum, powder)});
     }
@@ -126,11 +126,12 @@ ScaledDrum scale_drum(DrumState const& real, Powder const& powder, ScaleWish con
         throw InputError(fmt::format("the powder centrifuges: the real drum's Froude number is {:.3g}; it "
                                      "must be below 1, for {:.4g} mm a speed below {:.4g} rpm",
                                      real.froude(), 1e3 * real.radius,
-                                     30 / pi * std::sqrt(gravity / real.radius)));
+                                     30 / pi * std::sqrt(real.gravity / real.radius)));
     double const shrink = wish.radius / real.radius;
     ScaledDrum plan{.drum = {.radius = wish.radius,
                              .width = wish.width,
-                             .angular_velocity = real.angular_velocity / std::sqrt(shrink)},
+                             .angular_velocity = real.angular_velocity / std::sqrt(shrink),
+                             .gravity = real.gravity},
                     .powder = powder};
     plan.drum.mass = real.mass * plan.drum.volume() / real.volume();
     plan.powder = scaled_powder(powder, real, plan.drum, wish);

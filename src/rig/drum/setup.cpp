@@ -1,18 +1,19 @@
-#include "src/rig/drum_setup.hpp"
+#include "src/rig/drum/setup.hpp"
 
 #include "demens/base/error.hpp"
-#include "demens/rig/common.hpp"
-#include "demens/shape/sample_check.hpp"
+#include "demens/base/words.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
-namespace demens::rig {
+namespace demens::rig::drum {
 namespace {
 
-constexpr double pi = std::numbers::pi, gravity = 9.81;
+constexpr double pi = std::numbers::pi;
+constexpr std::array<Word<Ends>, 3> end_words = {
+    {{Ends::turning, "turning"}, {Ends::resting, "resting"}, {Ends::periodic, "periodic"}}};
 constexpr double densest = 0.74;         //!< solid fraction of equal spheres that nothing exceeds
 constexpr double pours_to = 0.55;        //!< solid fraction that poured spheres reach
 constexpr double cannot_tell_below = 10; //!< samples, fewer of which have no statistics
@@ -31,7 +32,7 @@ std::string given_one(OptionValues const& o, std::string const& a, std::string c
     return has_a ? a : b;
 }
 
-double angular_velocity(OptionValues const& o, double radius)
+double angular_velocity(OptionValues const& o, double radius, double gravity)
 {
     return given_one(o, "speed_rpm", "froude", "either sets the speed") == "speed_rpm"
                ? o.number("speed_rpm") * pi / 30
@@ -58,13 +59,15 @@ double mass_of(OptionValues const& o, DrumState const& drum, double bulk_density
 
 DrumState state_of(OptionValues const& o, double bulk_density)
 {
-    DrumState drum{.radius = 1e-3 * o.number("radius_mm"), .width = 1e-3 * o.number("width_mm")};
-    drum.angular_velocity = angular_velocity(o, drum.radius);
+    DrumState drum{.radius = 1e-3 * o.number("radius_mm"),
+                   .width = 1e-3 * o.number("width_mm"),
+                   .gravity = gravity_downwards(o)};
+    drum.angular_velocity = angular_velocity(o, drum.radius, drum.gravity);
     drum.mass = mass_of(o, drum, bulk_density);
     return drum;
 }
 
-void check_fill(DrumSetup const& setup)
+void check_fill(Setup const& setup)
 {
     double const volume = setup.drum.volume();
     if (setup.bulk_density >= densest * setup.density)
@@ -85,64 +88,59 @@ void check_fill(DrumSetup const& setup)
             setup.drum.mass / (setup.density * volume), pours_to, 0.9 * pours_to * setup.density * volume));
 }
 
+void check(Setup const& setup)
+{
+    check_fill(setup);
+    if (setup.drum.froude() >= 1)
+        throw InputError(fmt::format(
+            "the particles would centrifuge: the Froude number omega^2 R/g is {:.4g} at {:.4g} rpm; it must "
+            "be below 1, the speed below {:.4g} rpm",
+            setup.drum.froude(), setup.drum.angular_velocity * 30 / pi,
+            30 / pi * std::sqrt(setup.drum.gravity / setup.drum.radius)));
+    double const largest = setup.sizes.largest();
+    for (auto const& [key, room] :
+         {std::pair{"width_mm", setup.drum.width}, std::pair{"radius_mm", setup.drum.radius}})
+        if (room < 1.05 * largest)
+            throw InputError(fmt::format(
+                "no room for the particles: {} = {:.4g} must be larger than the largest particle, {:.4g} mm",
+                key, 1e3 * room, 1e3 * largest));
+    if (setup.ends == Ends::periodic && setup.drum.width < 2.2 * (largest + setup.skin))
+        throw InputError(
+            fmt::format("width_mm = {:.4g} is too narrow for periodic ends: a particle of {:.4g} mm "
+                        "would meet the same neighbour on both sides; at least {:.4g}",
+                        1e3 * setup.drum.width, 1e3 * largest, 2200 * (largest + setup.skin)));
+    if (setup.measure_turns * setup.samples_per_turn < cannot_tell_below)
+        throw InputError(fmt::format("measure_turns = {:.4g} with samples_per_turn = {} give fewer than {} "
+                                     "samples; give more of either",
+                                     setup.measure_turns, setup.samples_per_turn, cannot_tell_below));
+    if (setup.sample_interval() < setup.time_step)
+        throw InputError(fmt::format("samples_per_turn = {} is more than the {:.0f} time steps of a turn",
+                                     setup.samples_per_turn,
+                                     setup.drum.seconds_per_turn() / setup.time_step));
+    if (2 * setup.drum.radius / setup.pixels > 0.5 * largest)
+        throw InputError(
+            fmt::format("image_pixels = {} is too coarse: a pixel is {:.4g} mm, the largest particle {:.4g} "
+                        "mm; at least {:.0f}",
+                        setup.pixels, 2e3 * setup.drum.radius / setup.pixels, 1e3 * largest,
+                        std::ceil(4 * setup.drum.radius / largest)));
+}
+
 } // namespace
 
-DrumSetup::DrumSetup(RunInput const& input) : model(input.model), sizes(size_distribution_of(input))
+OptionSpecs options()
 {
-    OptionValues const& o = input.experiment;
-    material = o.text("material");
-    wall_material = o.text("wall_material");
-    end_material = o.text("end_material").empty() ? wall_material : o.text("end_material");
-    for (auto const& other : {material, wall_material, end_material})
-        require_pair(model, material, other);
-    ends = o.text("ends") == "turning"   ? DrumEnds::turning
-           : o.text("ends") == "resting" ? DrumEnds::resting
-                                         : DrumEnds::periodic;
-    density = model.materials[material_index(model, material)].density;
-    bulk_density = bulk_density_of(o, density);
-    drum = state_of(o, bulk_density);
-    discard_turns = o.number("discard_turns");
-    measure_turns = o.number("measure_turns");
-    samples_per_turn = static_cast<double>(o.integer("samples_per_turn"));
-    prominence = o.number("avalanche_prominence") * gravity_radius();
-    pixels = static_cast<int>(o.integer("image_pixels"));
-    time_step = chosen_time_step(o, model, material, sizes.smallest());
-    skin = o.number("skin") * 0.5 * sizes.mean_volume_diameter();
-}
-
-double DrumSetup::fall_time() const
-{
-    return std::sqrt(4 * drum.radius / gravity);
-}
-
-std::vector<OptionSpec> drum_options()
-{
-    std::vector<OptionSpec> specs = {
-        {.key = "material",
-         .default_value = std::string(),
-         .doc = "material of the particles",
-         .required = true,
-         .names_entry_of = "material"},
-        {.key = "wall_material",
-         .default_value = std::string(),
-         .doc = "material of the drum's lateral wall",
-         .required = true,
-         .names_entry_of = "material"},
+    return joined({material_options("the drum's lateral wall"), bed_options(),
+                   {
         {.key = "end_material",
          .default_value = std::string(),
          .doc = "material of the end walls; empty: as the lateral wall",
          .names_entry_of = "material"},
-        {.key = "size_distribution",
-         .default_value = std::string(),
-         .doc = "sizes of the particles",
-         .required = true,
-         .names_entry_of = "size_distribution"},
         {.key = "radius_mm", .doc = "inner radius [mm]", .required = true, .lower = 1e-6},
         {.key = "width_mm", .doc = "inner width [mm]", .required = true, .lower = 1e-6},
         {.key = "ends",
          .default_value = std::string("turning"),
          .doc = "end walls turn with the drum or stand still, or the drum goes on periodically",
-         .choices = {"turning", "resting", "periodic"}},
+         .choices = texts_of(end_words)},
         {.key = "speed_rpm", .doc = "speed [1/min]; 0: from froude", .lower = 1e-9},
         {.key = "froude", .doc = "omega^2 R/g [-]; 0: from speed_rpm", .lower = 1e-15},
         {.key = "mass_kg", .doc = "mass of the fill [kg]; 0: from fill_fraction", .lower = 1e-15},
@@ -173,54 +171,46 @@ std::vector<OptionSpec> drum_options()
          .default_value = std::int64_t{256},
          .doc = "pixels of the end view along the diameter",
          .lower = 8,
-         .upper = 8192},
-        {.key = "skin",
-         .default_value = 0.3,
-         .doc = "reach of the neighbour lists beyond contact over the radius of mean volume [-]",
-         .lower = 1e-3,
-         .upper = 2.0},
-    };
-    for (auto const& common : {time_step_options(), energy_options()})
-        specs.insert(specs.end(), common.begin(), common.end());
-    return specs;
+         .upper = 8192}},
+                   run_options()});
 }
 
-void check_drum(DrumSetup const& setup)
+Setup::Setup(RunInput const& input)
+    : seed(input.seed), model(input.model), options(input.experiment), sizes(size_distribution_of(input))
 {
-    check_fill(setup);
-    if (setup.drum.froude() >= 1)
-        throw InputError(fmt::format(
-            "the particles would centrifuge: the Froude number omega^2 R/g is {:.4g} at {:.4g} rpm; it must "
-            "be below 1, the speed below {:.4g} rpm",
-            setup.drum.froude(), setup.drum.angular_velocity * 30 / pi,
-            30 / pi * std::sqrt(gravity / setup.drum.radius)));
-    double const largest = setup.sizes.largest();
-    for (auto const& [key, room] :
-         {std::pair{"width_mm", setup.drum.width}, std::pair{"radius_mm", setup.drum.radius}})
-        if (room < 1.05 * largest)
-            throw InputError(fmt::format(
-                "no room for the particles: {} = {:.4g} must be larger than the largest particle, {:.4g} mm",
-                key, 1e3 * room, 1e3 * largest));
-    if (setup.ends == DrumEnds::periodic && setup.drum.width < 2.2 * (largest + setup.skin))
-        throw InputError(
-            fmt::format("width_mm = {:.4g} is too narrow for periodic ends: a particle of {:.4g} mm "
-                        "would meet the same neighbour on both sides; at least {:.4g}",
-                        1e3 * setup.drum.width, 1e3 * largest, 2200 * (largest + setup.skin)));
-    if (setup.measure_turns * setup.samples_per_turn < cannot_tell_below)
-        throw InputError(fmt::format("measure_turns = {:.4g} with samples_per_turn = {} give fewer than {} "
-                                     "samples; give more of either",
-                                     setup.measure_turns, setup.samples_per_turn, cannot_tell_below));
-    if (setup.sample_interval() < setup.time_step)
-        throw InputError(fmt::format("samples_per_turn = {} is more than the {:.0f} time steps of a turn",
-                                     setup.samples_per_turn,
-                                     setup.drum.seconds_per_turn() / setup.time_step));
-    if (2 * setup.drum.radius / setup.pixels > 0.5 * largest)
-        throw InputError(
-            fmt::format("image_pixels = {} is too coarse: a pixel is {:.4g} mm, the largest particle {:.4g} "
-                        "mm; at least {:.0f}",
-                        setup.pixels, 2e3 * setup.drum.radius / setup.pixels, 1e3 * largest,
-                        std::ceil(4 * setup.drum.radius / largest)));
-    shape::sample_warning(setup.sizes, setup.drum.mass, setup.density);
+    OptionValues const& o = options;
+    material = o.text("material");
+    wall_material = o.text("wall_material");
+    end_material = o.text("end_material").empty() ? wall_material : o.text("end_material");
+    for (auto const& other : {material, wall_material, end_material})
+        require_pair(model, material, other);
+    ends = read_word(end_words, o.text("ends"));
+    density = model.materials[material_index(model, material)].density;
+    bulk_density = bulk_density_of(o, density);
+    drum = state_of(o, bulk_density);
+    discard_turns = o.number("discard_turns");
+    measure_turns = o.number("measure_turns");
+    samples_per_turn = static_cast<double>(o.integer("samples_per_turn"));
+    prominence = o.number("avalanche_prominence") * gravity_radius();
+    pixels = static_cast<int>(o.integer("image_pixels"));
+    time_step = chosen_time_step(o, model, material, sizes.smallest());
+    skin = skin_of(o, sizes);
+    check(*this);
 }
 
-} // namespace demens::rig
+double Setup::fall_time() const
+{
+    return std::sqrt(4 * drum.radius / drum.gravity);
+}
+
+double Setup::expected_particles() const
+{
+    return drum.mass / density * sizes.spheres_per_volume();
+}
+
+double Setup::expected_duration() const
+{
+    return 5 * fall_time() + (discard_turns + measure_turns) * drum.seconds_per_turn();
+}
+
+} // namespace demens::rig::drum

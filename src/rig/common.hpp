@@ -9,26 +9,39 @@
 
 namespace demens::rig {
 
+using OptionSpecs = std::vector<OptionSpec>;
+
+// Keys that rigs have in common, and what is made of them.
+
+constexpr Vector3 gravity_on_earth = {0, 0, -9.81}; //!< [m/s^2]
+
+//! `material` and `wall_material`. \param wall what is made of it
+OptionSpecs material_options(std::string const& wall);
+//! `size_distribution` and `skin`, of rigs with a bed of particles.
+OptionSpecs bed_options();
+//! Gravity, time step and energy ledger, of every rig.
+OptionSpecs run_options(Vector3 const& gravity = gravity_on_earth);
+//! All of them, one list after another.
+OptionSpecs joined(std::initializer_list<OptionSpecs> lists);
+
+//! What the keys of `run_options` say about the simulation.
+dem::SimulationOptions simulation_options(OptionValues const& options, double time_step);
+//! Of a rig whose heights are along z: how strong gravity is, straight down [m/s^2]. \throws InputError for
+//! another direction
+double gravity_downwards(OptionValues const& options);
+
 //! Index of a material of the model. \throws InputError
 std::uint32_t material_index(contact::Model const& model, std::string const& name);
 //! The coefficients of two materials that will meet. \throws InputError that says which table is missing.
 contact::PairProperties const& require_pair(contact::Model const& model, std::string const& a,
                                             std::string const& b);
-
 //! The distribution that `size_distribution` of the experiment names. \throws InputError
 shape::SizeDistribution const& size_distribution_of(RunInput const& input);
-
 //! What the spheres of a mass [kg] miss of it and of their sizes: a warning or none. \throws InputError where
 //! a class of sizes gets no sphere
 std::vector<std::string> size_warnings(shape::SizeDistribution const& sizes, double mass, double density);
-
-//! Keys with which every rig sets its time step.
-std::vector<OptionSpec> time_step_options();
-
-//! Keys with which every rig decides about the energy ledger.
-std::vector<OptionSpec> energy_options();
-//! Sets what they say. \return the simulation's options with it
-dem::SimulationOptions with_energy_options(dem::SimulationOptions simulation, OptionValues const& options);
+//! What the key `skin` of a bed says [m].
+double skin_of(OptionValues const& options, shape::SizeDistribution const& sizes);
 
 //! Largest time step that the rig's particles allow, and what sets it.
 struct TimeStepLimit

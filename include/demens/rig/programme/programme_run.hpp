@@ -1,0 +1,68 @@
+#pragma once
+
+#include "demens/rig/programme/programme.hpp"
+
+#include <exception>
+
+namespace demens::rig {
+
+//! A run cannot go on: what a stage or a reading throws to make this the status of the run.
+class RunFailure : public std::exception
+{
+  public:
+    RunFailure(RunStatus status, std::string reason) : status_(status), reason_(std::move(reason)) {}
+    RunStatus status() const { return status_; }
+    char const* what() const noexcept override { return reason_.c_str(); }
+
+  private:
+    RunStatus status_;
+    std::string reason_;
+};
+
+//! A run of a programme, which is done piece by piece: many can be held at once, and each can be left at any
+//! time. With a team, all its ranks make the same calls.
+class ProgrammeRun
+{
+  public:
+    ProgrammeRun(Programme programme, dem::Team* team);
+
+    //! Does so many time steps or less, with all looks and changes of stage that come on the way; returns
+    //! when they are done or the run is over. What goes wrong in it is the run's status.
+    void advance(std::int64_t steps);
+    bool is_over() const { return status_ != RunStatus::not_run; }
+    //! Ends the run from outside.
+    void fail(RunStatus status, std::string reason);
+    //! Called at every look with the stage's name, before anything is read.
+    void watch(std::function<void(Bench&, std::string const&)> watcher) { watcher_ = std::move(watcher); }
+
+    //! "in stage "fill" at 0.1000 s", for messages.
+    std::string moment() const;
+    //! What it has given so far.
+    RunResult result();
+
+  private:
+    void build();
+    void begin_stage();
+    void look();
+    void sample(Look& look);
+    void add_profiles(Look& look, ProfileReading::Over over);
+    bool is_stage_over(Look& look);
+    void end_stage(Look& look);
+    void check_health();
+    Stage const& stage() const { return programme_.stages[bench_->progress.stage]; }
+
+    Programme programme_;
+    dem::Team* team_;
+    std::optional<Bench> bench_; //!< none before the first step
+    std::function<void(Bench&, std::string const&)> watcher_;
+    RunStatus status_ = RunStatus::not_run;
+    std::string reason_;
+};
+
+//! Runs a programme to its end, with what the caller wants meanwhile. \throws RunInterrupted
+RunResult run_programme(Programme programme, RunHooks const& hooks);
+
+//! Particles and walls now, in the order of their ids.
+Snapshot take_snapshot(dem::Simulation& simulation, std::string name);
+
+} // namespace demens::rig

@@ -1,0 +1,240 @@
+#include "src/rig/drawdown/setup.hpp"
+
+#include "demens/rig/programme/programme_run.hpp"
+#include "demens/shape/packing.hpp"
+#include "demens/shape/sample_check.hpp"
+#include "src/rig/rigs.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace demens::rig {
+namespace {
+
+using drawdown::Setup;
+
+//! Numbers of the walls that move or go, in the order in which `walls` gives them.
+enum MovingWall : std::uint32_t
+{
+    gate_left = 9,
+    gate_right,
+    lid
+};
+
+std::vector<dem::Wall> walls(Setup const& rig, double top)
+{
+    std::uint32_t const wood = material_index(rig.model, rig.wood),
+                        glass = material_index(rig.model, rig.glass);
+    double const beyond = 0.05; // floors reach past the sides, so that no sphere meets an edge there
+    double const half_depth = 0.5 * rig.depth + beyond;
+    auto const floor = [&](double from_x, double to_x, double z) {
+        return dem::Wall{.shape = dem::Rectangle{.centre = {0.5 * (from_x + to_x), 0, z},
+                                                 .axis_u = {1, 0, 0},
+                                                 .axis_v = {0, 1, 0},
+                                                 .half_u = 0.5 * (to_x - from_x),
+                                                 .half_v = half_depth},
+                         .material = wood};
+    };
+    auto const side = [&](double x, double from_z, double to_z) {
+        return dem::Wall{.shape = dem::Rectangle{.centre = {x, 0, 0.5 * (from_z + to_z)},
+                                                 .axis_u = {0, 1, 0},
+                                                 .axis_v = {0, 0, 1},
+                                                 .half_u = half_depth,
+                                                 .half_v = 0.5 * (to_z - from_z)},
+                         .material = wood};
+    };
+    double const half = 0.5 * rig.width, half_slot = 0.5 * rig.slot, half_lower = 0.5 * rig.lower_width;
+    double const widest = std::max(half, half_lower) + beyond;
+    auto const window = [&](double y) {
+        return dem::Wall{.shape = dem::Rectangle{.centre = {0, y, 0.5 * (top - rig.drop)},
+                                                 .axis_u = {0, 0, 1},
+                                                 .axis_v = {1, 0, 0},
+                                                 .half_u = 0.5 * (top + rig.drop) + beyond,
+                                                 .half_v = widest},
+                         .material = glass};
+    };
+    // The gate slides in two halves just below the floor.
+    double const gate_z = -0.05 * rig.sizes.smallest();
+    std::vector<dem::Wall> all = {window(-0.5 * rig.depth),
+                                  window(0.5 * rig.depth),
+                                  floor(-half - beyond, -half_slot, 0),
+                                  floor(half_slot, half + beyond, 0),
+                                  side(-half, 0, top),
+                                  side(half, 0, top),
+                                  floor(-widest, widest, -rig.drop),
+                                  side(-half_lower, -rig.drop, 0),
+                                  side(half_lower, -rig.drop, 0),
+                                  floor(-half_slot - beyond, 0, gate_z),
+                                  floor(0, half_slot + beyond, gate_z),
+                                  floor(-half, half, top)};
+    all[lid].active = false;
+    return all;
+}
+
+//! The spheres lie loosely in the upper box, as high as they need, and will rain down.
+Apparatus build(Setup const& rig)
+{
+    RandomStream size_stream(derive_seed(rig.seed, 1)), place_stream(derive_seed(rig.seed, 2));
+    auto const diameters = shape::sample_whole(rig.sizes, rig.mass, rig.density, size_stream);
+    auto const places = shape::loose_packing(diameters, {-0.5 * rig.width, -0.5 * rig.depth, 1e-4}, rig.width,
+                                             rig.depth, 0.28, place_stream);
+    double top = 0;
+    for (Vector3 const& p : places)
+        top = std::max(top, p.z + rig.sizes.largest());
+    double const beyond = std::max(rig.width, rig.lower_width);
+    Apparatus apparatus{.model = rig.model, .options = simulation_options(rig.options, rig.time_step)};
+    apparatus.options.skin = rig.skin;
+    apparatus.options.domain_lower = {-beyond, -rig.depth, -rig.drop - 0.1};
+    apparatus.options.domain_upper = {beyond, rig.depth, top + 1};
+    dem::MaterialId const material{material_index(rig.model, rig.material)};
+    for (std::size_t k = 0; k < places.size(); ++k)
+        apparatus.bodies.push_back(
+            {.position = places[k], .radius = 0.5 * diameters[k], .material = material});
+    apparatus.walls = walls(rig, top);
+    return apparatus;
+}
+
+double highest(Look& look)
+{
+    double z = -std::numeric_limits<double>::infinity();
+    for (auto const& p : look.particles().places())
+        z = std::max(z, p.z + p.radius);
+    return z;
+}
+
+void put_lid(Bench& bench, double z, double velocity)
+{
+    dem::WallId const id{lid};
+    auto plate = std::get<dem::Rectangle>(bench.simulation.wall(id).shape);
+    plate.centre.z = z;
+    bench.simulation.place(id, plate);
+    bench.simulation.move(id, dem::WallVelocity{.velocity = {0, 0, velocity}});
+    bench.simulation.activate(id, true);
+}
+
+//! The mean particle could not rise by a thousandth of a diameter.
+bool rests(Look& look, Setup const& rig)
+{
+    auto& simulation = look.simulation();
+    double const particles = static_cast<double>(simulation.counts().particles);
+    double const at_rest = rig.mass / particles * rig.gravity * 1e-3 * rig.sizes.quantile(0.5);
+    return simulation.kinetic_energy() / particles < at_rest;
+}
+
+//! Rain, rest, and a lid that levels the bed to its height.
+std::vector<Stage> filling(Setup const& rig)
+{
+    constexpr double levelling = 0.1; // [s]
+    constexpr char const* fallen_from = "top_of_fallen_bed";
+    auto const at_rest = [&](std::string name, double shortest, double longest) {
+        return Stage{.name = std::move(name),
+                     .until = [&rig](Look& look) { return rests(look, rig); },
+                     .waits_for = "the bed does not come to rest",
+                     .shortest = shortest,
+                     .longest = longest};
+    };
+    auto fill = at_rest("fill", 0.1, 20);
+    fill.model = rig.filling_model;
+    Stage level{.name = "level", .shortest = levelling};
+    level.needed = [&rig](Look& look) {
+        look.progress().notes[fallen_from] = highest(look);
+        return highest(look) > rig.bed_height();
+    };
+    level.enter = [&rig](Bench& bench) {
+        double const top = bench.progress.notes[fallen_from];
+        put_lid(bench, top, -(top - rig.bed_height()) / levelling);
+    };
+    auto hold = at_rest("level", 0, 5);
+    hold.needed = [&rig](Look& look) { return look.progress().notes[fallen_from] > rig.bed_height(); };
+    hold.enter = [&rig](Bench& bench) { put_lid(bench, rig.bed_height(), 0); };
+    // Without the lid the bed relaxes while friction is still low; else it would keep the lid's pressure
+    // between the sides and arch over the slot.
+    auto relax = at_rest("settle", 0.05, 5);
+    relax.enter = [](Bench& bench) { bench.simulation.activate(dem::WallId{lid}, false); };
+    auto settle = at_rest("settle", 0.02, 5);
+    settle.model = rig.model;
+    settle.landmark = "settled";
+    return {fill, level, hold, relax, settle};
+}
+
+//! Whether the discharge is over: nothing moves, and enough has left. \throws RunFailure when nothing moves
+//! for half a second though too much is still there.
+bool has_ended(Look& look, Setup const& rig)
+{
+    auto const& progress = look.progress();
+    auto const &times = progress.series.column("time"), &masses = progress.series.column("upper_mass"),
+               &speeds = progress.series.column("largest_speed");
+    if (speeds.back() >= rig.end_speed)
+        return false;
+    if (masses.back() < rig.end_fraction * masses.front())
+        return true;
+    std::size_t quiet = speeds.size() - 1;
+    while (quiet > progress.rows[progress.stage].first && speeds[quiet - 1] < rig.end_speed)
+        --quiet;
+    if (times.back() - times[quiet] > 0.5)
+        throw RunFailure(RunStatus::timed_out,
+                         fmt::format("an arch blocks the slot: nothing moves, and {:.3g} of {:.3g} kg are "
+                                     "still in the upper box",
+                                     masses.back(), masses.front()));
+    return false;
+}
+
+std::vector<Stage> discharge(Setup const& rig)
+{
+    auto const move_gate = [](Bench& bench, double speed, bool is_there) {
+        for (auto const& [half, direction] : {std::pair{gate_left, -1.0}, std::pair{gate_right, 1.0}}) {
+            bench.simulation.move(dem::WallId{half},
+                                  dem::WallVelocity{.velocity = {direction * speed, 0, 0}});
+            bench.simulation.activate(dem::WallId{half}, is_there);
+        }
+    };
+    Stage open{.name = "open", .shortest = 0.5 * rig.slot / rig.gate_speed, .looks_per_sample = 1};
+    open.enter = [&rig, move_gate](Bench& bench) { move_gate(bench, rig.gate_speed, true); };
+    Stage discharge{.name = "discharge", .looks_per_sample = 1, .landmark = "final"};
+    discharge.enter = [move_gate](Bench& bench) { move_gate(bench, 0, false); };
+    discharge.until = [&rig](Look& look) { return has_ended(look, rig); };
+    discharge.waits_for = "particles still move";
+    discharge.longest = rig.longest;
+    return {open, discharge};
+}
+
+Programme describe(RunInput const& input)
+{
+    auto const setup = std::make_shared<Setup const>(input);
+    auto const& rig = *setup; // kept alive by `build`
+    Programme programme{.time_step = rig.time_step,
+                        .steps_per_look =
+                            std::max<std::int64_t>(1, std::llround(rig.interval / rig.time_step)),
+                        .expected_particles = rig.expected_particles(),
+                        .expected_duration = rig.expected_duration()};
+    programme.check = [setup] { return size_warnings(setup->sizes, setup->mass, setup->density); };
+    programme.build = [setup] { return build(*setup); };
+    programme.stages = filling(rig);
+    auto const settled = programme.stages.size() - 1;
+    for (auto const& stage : discharge(rig))
+        programme.stages.push_back(stage);
+    auto const last = programme.stages.size() - 1;
+    programme.readings = drawdown::readings();
+    programme.profiles = drawdown::profiles(rig, settled, last);
+    for (auto const& measure : drawdown::measures())
+        programme.responses.push_back(
+            {measure.info, last, "there are too few points for its line",
+             [measure, setup](Progress const& p) { return measure.reduce(p, *setup); }});
+    return programme;
+}
+
+} // namespace
+
+RigInfo drawdown_rig()
+{
+    RigInfo rig{.name = "drawdown",
+                .doc = "Draw Down Test: a box empties through a slot into a box below (Roessler et al. 2019)",
+                .options = drawdown::options()};
+    for (auto const& measure : drawdown::measures())
+        rig.responses.push_back(measure.info);
+    rig.describe = describe;
+    return described(std::move(rig));
+}
+
+} // namespace demens::rig

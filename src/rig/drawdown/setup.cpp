@@ -1,0 +1,166 @@
+#include "src/rig/drawdown/setup.hpp"
+
+#include "demens/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace demens::rig::drawdown {
+namespace {
+
+void check(Setup const& rig)
+{
+    if (rig.slot >= rig.width)
+        throw InputError(fmt::format("slot_width_mm = {:.4g} must be smaller than box_width_mm = {:.4g}",
+                                     1e3 * rig.slot, 1e3 * rig.width));
+    if (rig.lower_width < rig.slot)
+        throw InputError(fmt::format("lower_box_width_mm = {:.4g} must be at least slot_width_mm = {:.4g}",
+                                     1e3 * rig.lower_width, 1e3 * rig.slot));
+    if (rig.bulk_density >= 0.74 * rig.density)
+        throw InputError(
+            fmt::format("bulk_density = {:.5g} kg/m^3 cannot be reached: spheres of density {:.5g} kg/m^3 "
+                        "pack to at most 0.74 of it",
+                        rig.bulk_density, rig.density));
+    double const largest = rig.sizes.largest();
+    for (auto const& [key, room] :
+         {std::pair{"box_depth_mm", rig.depth}, std::pair{"slot_width_mm", rig.slot}})
+        if (room < 1.05 * largest)
+            throw InputError(
+                fmt::format("no room for the particles: {} = {:.4g} must be larger than the largest "
+                            "particle, {:.4g} mm",
+                            key, 1e3 * room, 1e3 * largest));
+    // Even a flat heap of all that can leave must stay below the gate.
+    double const heap = rig.mass / (rig.bulk_density * rig.lower_width * rig.depth);
+    if (heap > rig.drop)
+        throw InputError(
+            fmt::format("no room for the particles: the lower box ({:.4g} mm wide, {:.4g} mm high) does not "
+                        "hold {:.4g} kg; make lower_box_width_mm or drop_height_mm larger",
+                        1e3 * rig.lower_width, 1e3 * rig.drop, rig.mass));
+}
+
+} // namespace
+
+OptionSpecs options()
+{
+    return joined({material_options("floors, sides and gate"), bed_options(),
+                   {
+        {.key = "window_material",
+         .default_value = std::string(),
+         .doc = "material of the front and the back window",
+         .required = true,
+         .names_entry_of = "material"},
+        {.key = "mass_kg",
+         .default_value = 1.0,
+         .doc = "mass filled in [kg]",
+         .required = true,
+         .lower = 1e-9},
+        {.key = "bulk_density",
+         .default_value = 1500.0,
+         .doc = "bulk density of the levelled bed [kg/m^3]; with the mass it gives the bed height",
+         .required = true,
+         .lower = 1e-3},
+        {.key = "box_width_mm",
+         .default_value = 548.0,
+         .doc = "inner width of the upper box [mm]",
+         .lower = 1e-3},
+        {.key = "box_depth_mm", .default_value = 97.5, .doc = "distance of the windows [mm]", .lower = 1e-3},
+        {.key = "slot_width_mm",
+         .default_value = 86.0,
+         .doc = "width of the slot in the upper floor [mm]",
+         .lower = 1e-3},
+        {.key = "drop_height_mm",
+         .default_value = 500.0,
+         .doc = "from the upper to the lower floor [mm]",
+         .lower = 1e-3},
+        {.key = "lower_box_width_mm",
+         .default_value = 548.0,
+         .doc = "inner width of the lower box [mm]",
+         .lower = 1e-3},
+        {.key = "gate_speed_m_s",
+         .default_value = 1.0,
+         .doc = "speed at which each half of the gate slides open [m/s]",
+         .lower = 1e-3},
+        {.key = "filling_friction",
+         .default_value = 0.1,
+         .doc =
+             "largest friction while the bed is filled and levelled [-], so that it reaches its bulk density",
+         .lower = 0.0},
+        {.key = "end_speed_m_s",
+         .default_value = 0.2,
+         .doc = "the run ends when no particle is faster [m/s]",
+         .lower = 1e-6},
+        {.key = "end_mass_fraction",
+         .default_value = 0.75,
+         .doc = "... and less than this fraction of the mass is in the upper box [-]",
+         .lower = 0.0,
+         .upper = 1.0},
+        {.key = "longest_discharge_s",
+         .default_value = 30.0,
+         .doc = "a discharge that takes longer is a failed run [s]",
+         .lower = 1e-3},
+        {.key = "line_margin",
+         .default_value = 0.1,
+         .doc = "part of a slope's width left out at either end when its line is fitted [-]",
+         .lower = 0.0,
+         .upper = 0.4},
+        {.key = "series_interval_s",
+         .default_value = 0.02,
+         .doc = "time between two entries of the mass curve [s]",
+         .lower = 1e-4,
+         .upper = 1.0}},
+                   run_options()});
+}
+
+Setup::Setup(RunInput const& input)
+    : seed(input.seed), model(input.model), filling_model(input.model), options(input.experiment),
+      sizes(size_distribution_of(input)), gravity(gravity_downwards(options))
+{
+    OptionValues const& o = options;
+    material = o.text("material");
+    wood = o.text("wall_material");
+    glass = o.text("window_material");
+    for (auto const& other : {material, wood, glass})
+        require_pair(model, material, other);
+    mass = o.number("mass_kg");
+    density = model.materials[material_index(model, material)].density;
+    bulk_density = o.number("bulk_density");
+    width = 1e-3 * o.number("box_width_mm");
+    depth = 1e-3 * o.number("box_depth_mm");
+    slot = 1e-3 * o.number("slot_width_mm");
+    drop = 1e-3 * o.number("drop_height_mm");
+    lower_width = 1e-3 * o.number("lower_box_width_mm");
+    gate_speed = o.number("gate_speed_m_s");
+    end_speed = o.number("end_speed_m_s");
+    end_fraction = o.number("end_mass_fraction");
+    longest = o.number("longest_discharge_s");
+    interval = o.number("series_interval_s");
+    wedge_margin = o.number("line_margin");
+    time_step = chosen_time_step(o, model, material, sizes.smallest());
+    skin = skin_of(o, sizes);
+    double const filling = o.number("filling_friction");
+    for (auto& pair : filling_model.pairs) {
+        pair.static_friction = std::min(pair.static_friction, filling);
+        pair.kinetic_friction = std::min(pair.kinetic_friction, filling);
+        pair.rolling_friction = std::min(pair.rolling_friction, 0.1 * filling);
+    }
+    check(*this);
+}
+
+double Setup::expected_particles() const
+{
+    double const d = sizes.quantile(0.5);
+    return mass / (density * std::numbers::pi / 6 * d * d * d);
+}
+
+double Setup::expected_duration() const
+{
+    // Filling takes about a second; a slot passes about rho sqrt(g) D (b - 1.4 d)^1.5 (Beverloo et al. 1961).
+    double const opening = std::max(slot - 1.4 * sizes.quantile(0.5), 0.2 * slot);
+    double const flow = 1.03 * bulk_density * std::sqrt(gravity) * depth * std::pow(opening, 1.5);
+    return 1.5 + 0.75 * mass / flow;
+}
+
+} // namespace demens::rig::drawdown

@@ -1,0 +1,191 @@
+#include "src/rig/drum/setup.hpp"
+
+#include "demens/rig/programme/programme_run.hpp"
+#include "demens/shape/packing.hpp"
+#include "demens/shape/sample_check.hpp"
+#include "src/rig/rigs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace demens::rig {
+
+drum::Sampling::Sampling(Setup const& setup)
+{
+    double const steps = setup.sample_interval() / setup.time_step;
+    looks = std::max<std::int64_t>(1, std::llround(steps * setup.expected_particles() / 3e6));
+    steps_per_look = std::max<std::int64_t>(1, std::llround(steps / static_cast<double>(looks)));
+    double const interval = static_cast<double>(looks * steps_per_look) * setup.time_step;
+    turns = interval / setup.drum.seconds_per_turn();
+    wanted = static_cast<std::size_t>(std::ceil(setup.measure_turns / turns));
+}
+
+namespace {
+
+using drum::Ends;
+using drum::Setup;
+
+//! The lateral wall, then the ends.
+std::vector<dem::Wall> walls(Setup const& setup)
+{
+    double const beyond = setup.sizes.largest(); // no sphere meets an edge
+    Vector3 const axis = {0, 1, 0};
+    std::vector<dem::Wall> all = {{.shape = dem::Cylinder{.centre = {},
+                                                          .axis = axis,
+                                                          .half_length = 0.5 * setup.drum.width + beyond,
+                                                          .radius = setup.drum.radius},
+                                   .material = material_index(setup.model, setup.wall_material)}};
+    if (setup.ends != Ends::periodic)
+        for (double const side : {-0.5, 0.5})
+            all.push_back({.shape = dem::Disc{.centre = {0, side * setup.drum.width, 0},
+                                              .axis = axis,
+                                              .radius = setup.drum.radius + beyond},
+                           .material = material_index(setup.model, setup.end_material)});
+    return all;
+}
+
+Apparatus build(Setup const& setup)
+{
+    double const beyond = 1.5 * setup.drum.radius, half = 0.5 * setup.drum.width;
+    Apparatus apparatus{.model = setup.model, .options = simulation_options(setup.options, setup.time_step)};
+    apparatus.options.skin = setup.skin;
+    apparatus.options.domain_lower = {-beyond, -setup.drum.width, -beyond};
+    apparatus.options.domain_upper = {beyond, setup.drum.width, beyond};
+    if (setup.ends == Ends::periodic)
+        apparatus.options.periodic.y = {-half, half};
+    apparatus.walls = walls(setup);
+    return apparatus;
+}
+
+double top_of_bed(Look& look, double bottom)
+{
+    double top = bottom;
+    for (auto const& p : look.particles().places())
+        top = std::max(top, p.z + p.radius);
+    return top;
+}
+
+//! Diameters of all spheres, the last ones first to fall.
+std::vector<double> sample_diameters(Setup const& setup)
+{
+    RandomStream stream(derive_seed(setup.seed, 1));
+    return shape::sample_whole(setup.sizes, setup.drum.mass, setup.density, stream);
+}
+
+//! As many of the next spheres as fill a part of the free space so loosely that places are found at random.
+std::vector<double> next_batch(std::vector<double> diameters, double free_volume)
+{
+    double const fraction = 0.22;
+    double volume = 0;
+    std::vector<double> batch;
+    for (; !diameters.empty(); diameters.pop_back()) {
+        double const d = diameters.back();
+        volume += std::numbers::pi / 6 * d * d * d;
+        if (volume > fraction * free_volume)
+            break;
+        batch.push_back(d);
+    }
+    return batch;
+}
+
+//! Drops as many of the next spheres as there is room for above the bed.
+void drop_batch(Bench& bench, Setup const& setup)
+{
+    auto diameters = sample_diameters(setup);
+    diameters.resize(diameters.size() - bench.simulation.counts().particles);
+    double const radius = setup.drum.radius, half_width = 0.5 * setup.drum.width;
+    shape::Region const inside = shape::CylinderRegion{
+        .from = {0, -half_width, 0}, .to = {0, half_width, 0}, .radius = radius, .inner_radius = 0};
+    Look look(bench);
+    double const level = top_of_bed(look, -radius);
+    shape::FreeTest const above = [&](Vector3 const& p, double r) { return p.z - r >= level; };
+    auto const batch = next_batch(diameters, shape::free_volume(inside, 0.5 * setup.sizes.largest(), above));
+    if (batch.empty())
+        throw RunFailure(RunStatus::error,
+                         fmt::format("{} of the spheres found no room above the bed", diameters.size()));
+    auto const places = shape::fill_region(batch, inside, {}, above, bench.progress.random);
+    // The velocity is that half a step ago, as if they fell from where they are.
+    Vector3 const velocity = bench.simulation.steps_done() > 0
+                                 ? 0.5 * setup.time_step * bench.simulation.options().gravity
+                                 : Vector3{};
+    dem::BodyBatch bodies;
+    for (std::size_t k = 0; k < places.size(); ++k)
+        bodies.push_back({.position = places[k],
+                          .radius = 0.5 * batch[k],
+                          .material = dem::MaterialId{material_index(setup.model, setup.material)},
+                          .velocity = velocity});
+    bench.simulation.add(bodies);
+}
+
+void turn(Bench& bench, Setup const& setup)
+{
+    auto const turning = setup.ends == Ends::turning ? bench.simulation.walls().size() : 1;
+    for (std::size_t k = 0; k < turning; ++k)
+        bench.simulation.move(dem::WallId{static_cast<std::uint32_t>(k)},
+                              dem::WallVelocity{.spin = {0, -setup.drum.angular_velocity, 0}});
+}
+
+std::vector<Stage> stages(Setup const& setup, drum::Sampling const& sampling)
+{
+    // All spheres fall into the drum at rest, in as many batches as the room above the bed needs. At rest:
+    // the mean particle could not rise by a thousandth of a diameter.
+    Stage fill{.name = "fill",
+               .waits_for = "the bed does not come to rest",
+               .shortest = setup.fall_time(),
+               .longest = 100 * setup.fall_time(),
+               .landmark = "settled"};
+    fill.enter = [&setup](Bench& bench) { drop_batch(bench, setup); };
+    fill.until = [&setup, d = setup.sizes.quantile(0.5)](Look& look) {
+        return look.simulation().kinetic_energy() < 1e-3 * setup.drum.gravity * d * setup.drum.mass;
+    };
+    fill.repeats = [&setup](Look& look) {
+        return look.simulation().counts().particles < sample_diameters(setup).size();
+    };
+    double const turn_time = setup.drum.seconds_per_turn();
+    Stage discard{.name = "discard", .shortest = setup.discard_turns * turn_time};
+    discard.enter = [&setup](Bench& bench) { turn(bench, setup); };
+    Stage measure{.name = "measure",
+                  .waits_for = "not all samples were taken",
+                  .longest = 2 * setup.measure_turns * turn_time + sampling.turns * turn_time,
+                  .looks_per_sample = sampling.looks,
+                  .landmark = "final"};
+    measure.until = [wanted = sampling.wanted](Look& look) { return look.progress().series.rows() > wanted; };
+    return {fill, discard, measure};
+}
+
+Programme describe(RunInput const& input)
+{
+    auto const setup = std::make_shared<Setup const>(input); // kept alive by `build`
+    drum::Sampling const sampling(*setup);
+    Programme programme{.time_step = setup->time_step,
+                        .steps_per_look = sampling.steps_per_look,
+                        .expected_particles = setup->expected_particles(),
+                        .expected_duration = setup->expected_duration(),
+                        .seed = derive_seed(setup->seed, 2)};
+    programme.check = [setup] { return size_warnings(setup->sizes, setup->drum.mass, setup->density); };
+    programme.build = [setup] { return build(*setup); };
+    programme.stages = stages(*setup, sampling);
+    auto const last = programme.stages.size() - 1;
+    programme.readings = drum::readings(*setup);
+    programme.profiles = drum::profiles(*setup, last);
+    programme.responses = drum::responses(setup, last);
+    return programme;
+}
+
+} // namespace
+
+RigInfo drum_rig()
+{
+    RigInfo rig{
+        .name = "drum",
+        .doc = "rotating drum: energies of avalanches, and area, surface and angle of the bed's end view",
+        .options = drum::options(),
+        .responses = drum::response_infos()};
+    rig.describe = describe;
+    return described(std::move(rig));
+}
+
+} // namespace demens::rig

@@ -1,0 +1,73 @@
+#include "demens/rig/programme/programme_run.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace demens::rig {
+namespace {
+
+template <class Named>
+auto const& find_named(std::vector<Named> const& all, std::string const& name)
+{
+    auto const found =
+        std::find_if(all.begin(), all.end(), [&](Named const& one) { return one.name == name; });
+    assert(found != all.end());
+    return *found;
+}
+
+} // namespace
+
+std::vector<double> const& Series::column(std::string const& name) const
+{
+    auto const found = std::find(names.begin(), names.end(), name);
+    assert(found != names.end());
+    return columns[static_cast<std::size_t>(found - names.begin())];
+}
+
+std::vector<double> Progress::column_in(std::size_t number, std::string const& name) const
+{
+    auto const& column = series.column(name);
+    return {column.begin() + static_cast<std::ptrdiff_t>(rows[number].first),
+            column.begin() + static_cast<std::ptrdiff_t>(rows[number].end)};
+}
+
+Profile const& Progress::profile(std::string const& name) const
+{
+    return find_named(profiles, name);
+}
+
+dem::StateView const& Look::particles()
+{
+    if (!particles_)
+        particles_ = bench_.simulation.read(dem::Fields::all);
+    return *particles_;
+}
+
+RigInfo described(RigInfo rig)
+{
+    auto const describe = rig.describe;
+    rig.warnings = [describe](RunInput const& input) {
+        auto const programme = describe(input);
+        return programme.check ? programme.check() : std::vector<std::string>{};
+    };
+    rig.check = [warnings = rig.warnings](RunInput const& input) { warnings(input); };
+    rig.predict_cost = [describe](RunInput const& input) {
+        auto const programme = describe(input);
+        return programme.expected_particles * programme.expected_duration / programme.time_step;
+    };
+    rig.run = [rig](RunInput const& input, RunHooks const& hooks) {
+        std::optional<Programme> programme;
+        try {
+            programme = rig.describe(input);
+        } catch (std::exception const& error) {
+            auto const count = responses_of(rig, input.experiment).size();
+            return RunResult{.status = RunStatus::error,
+                             .reason = error.what(),
+                             .responses = std::vector(count, std::numeric_limits<double>::quiet_NaN())};
+        }
+        return run_programme(std::move(*programme), hooks);
+    };
+    return rig;
+}
+
+} // namespace demens::rig

@@ -1,0 +1,253 @@
+#include "demens/rig/programme/programme_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include <fmt/format.h>
+
+namespace demens::rig {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+Profile profile_of(ProfileReading const& reading, ProfileReading::Points points)
+{
+    return {reading.name,
+            reading.doc,
+            {{reading.axis.name, reading.value.name},
+             {reading.axis.units, reading.value.units},
+             {std::move(points.axis), std::move(points.values)}}};
+}
+
+ProfileReading::Points mean_of(Progress::Average const& average)
+{
+    ProfileReading::Points points{average.axis, std::vector<double>(average.sum.size(), none)};
+    for (std::size_t k = 0; k < points.values.size(); ++k)
+        if (average.count[k] > 0)
+            points.values[k] = average.sum[k] / average.count[k];
+    return points;
+}
+
+void add_to(Progress::Average& average, ProfileReading::Points const& points)
+{
+    if (average.axis.empty())
+        average = {points.axis, std::vector<double>(points.axis.size()),
+                   std::vector<double>(points.axis.size())};
+    for (std::size_t k = 0; k < average.sum.size(); ++k)
+        if (std::isfinite(points.values[k])) {
+            average.sum[k] += points.values[k];
+            ++average.count[k];
+        }
+}
+
+} // namespace
+
+ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team)
+    : programme_(std::move(programme)), team_(team)
+{
+}
+
+void ProgrammeRun::advance(std::int64_t steps)
+try {
+    if (is_over())
+        return;
+    if (!bench_)
+        build();
+    auto& progress = bench_->progress;
+    while (progress.stage < programme_.stages.size()) {
+        if (!progress.entered) {
+            begin_stage();
+        } else if (progress.steps_to_look == 0) {
+            look();
+        } else {
+            auto const now = std::min(steps, progress.steps_to_look);
+            if (now <= 0)
+                return;
+            bench_->simulation.advance(now);
+            steps -= now;
+            progress.steps_to_look -= now;
+            if (progress.steps_to_look == 0)
+                check_health();
+        }
+    }
+    for (std::size_t r = 0; r < programme_.responses.size(); ++r)
+        if (std::isnan(progress.responses[r]))
+            throw RunFailure(RunStatus::error,
+                             fmt::format("the response {} has no value: {}",
+                                         programme_.responses[r].info.name, programme_.responses[r].if_none));
+    status_ = RunStatus::finished;
+} catch (std::bad_alloc const&) {
+    throw; // of a team, one rank's trouble
+} catch (RunFailure const& failure) {
+    fail(failure.status(), failure.what());
+} catch (std::exception const& failure) {
+    fail(RunStatus::error, failure.what());
+}
+
+void ProgrammeRun::fail(RunStatus status, std::string reason)
+{
+    status_ = status;
+    reason_ = std::move(reason);
+}
+
+void ProgrammeRun::build()
+{
+    Apparatus apparatus = programme_.build();
+    apparatus.options.team = team_;
+    bench_.emplace(Bench{dem::Simulation(apparatus.model, apparatus.options)});
+    bench_->simulation.add(apparatus.bodies);
+    for (auto const& wall : apparatus.walls)
+        bench_->simulation.add(wall);
+    auto& progress = bench_->progress;
+    progress.random = RandomStream(programme_.seed);
+    progress.responses.assign(programme_.responses.size(), none);
+    progress.begins.assign(programme_.stages.size(), none);
+    progress.rows.resize(programme_.stages.size());
+    progress.averages.resize(programme_.profiles.size());
+    progress.series = {{"time"}, {"s"}, {{}}};
+    for (auto const& reading : programme_.readings) {
+        progress.series.names.push_back(reading.name);
+        progress.series.units.push_back(reading.units);
+        progress.series.columns.emplace_back();
+    }
+}
+
+void ProgrammeRun::begin_stage()
+{
+    auto& progress = bench_->progress;
+    Look before(*bench_);
+    if (stage().needed && !stage().needed(before)) {
+        ++progress.stage;
+        return;
+    }
+    progress.begins[progress.stage] = bench_->simulation.time();
+    if (stage().model)
+        bench_->simulation.set_model(*stage().model);
+    if (stage().enter)
+        stage().enter(*bench_);
+    progress.entered = true;
+    progress.looks = progress.steps_to_look = 0;
+    auto const rows = progress.series.rows();
+    progress.rows[progress.stage] = {rows, rows};
+}
+
+void ProgrammeRun::look()
+{
+    if (watcher_)
+        watcher_(*bench_, stage().name);
+    auto& progress = bench_->progress;
+    Look look(*bench_);
+    if (stage().looks_per_sample > 0 && progress.looks % stage().looks_per_sample == 0)
+        sample(look);
+    ++progress.looks;
+    if (is_stage_over(look))
+        end_stage(look);
+    else
+        progress.steps_to_look = programme_.steps_per_look;
+}
+
+void ProgrammeRun::sample(Look& look)
+{
+    auto& progress = bench_->progress;
+    if (!progress.origin)
+        progress.origin = look.time();
+    auto& columns = progress.series.columns;
+    columns[0].push_back(look.time() - *progress.origin);
+    for (std::size_t r = 0; r < programme_.readings.size(); ++r)
+        columns[r + 1].push_back(programme_.readings[r].take(look));
+    progress.rows[progress.stage].end = columns[0].size();
+    for (std::size_t k = 0; k < programme_.profiles.size(); ++k)
+        if (auto const& reading = programme_.profiles[k];
+            reading.stage == progress.stage && reading.over == ProfileReading::Over::samples)
+            add_to(progress.averages[k], reading.take(look));
+}
+
+bool ProgrammeRun::is_stage_over(Look& look)
+{
+    double const half_step = 0.5 * programme_.time_step, passed = bench_->time_in_stage();
+    if (passed >= stage().shortest - half_step && (!stage().until || stage().until(look)))
+        return true;
+    if (passed < std::max(stage().shortest, stage().longest) - half_step)
+        return false;
+    if (stage().overrun == Overrun::go_on)
+        return true;
+    throw RunFailure(RunStatus::timed_out,
+                     fmt::format("stage \"{}\" did not end within {:.3g} s of simulated time: {}",
+                                 stage().name, stage().longest, stage().waits_for));
+}
+
+void ProgrammeRun::end_stage(Look& look)
+{
+    auto& progress = bench_->progress;
+    progress.entered = false;
+    if (stage().repeats && stage().repeats(look))
+        return;
+    if (!stage().landmark.empty())
+        progress.snapshots.push_back(take_snapshot(bench_->simulation, stage().landmark));
+    for (std::size_t k = 0; k < programme_.profiles.size(); ++k)
+        if (auto const& reading = programme_.profiles[k]; reading.stage == progress.stage)
+            progress.profiles.push_back(profile_of(reading, reading.over == ProfileReading::Over::end
+                                                                ? reading.take(look)
+                                                                : mean_of(progress.averages[k])));
+    for (std::size_t r = 0; r < programme_.responses.size(); ++r)
+        if (programme_.responses[r].stage == progress.stage)
+            progress.responses[r] = programme_.responses[r].reduce(progress);
+    ++progress.stage;
+}
+
+std::string ProgrammeRun::moment() const
+{
+    if (!bench_)
+        return "before it began";
+    auto const& stages = programme_.stages;
+    return fmt::format("in stage \"{}\" at {:.4f} s",
+                       stages[std::min(bench_->progress.stage, stages.size() - 1)].name,
+                       bench_->simulation.time());
+}
+
+void ProgrammeRun::check_health()
+{
+    auto& simulation = bench_->simulation;
+    switch (simulation.health()) {
+    case dem::Health::good:
+        return;
+    case dem::Health::not_a_number:
+        throw RunFailure(RunStatus::not_a_number, "a position or force is not a number " + moment());
+    case dem::Health::escaped:
+        throw RunFailure(RunStatus::escaped, "a particle left the domain " + moment());
+    case dem::Health::overlapping:
+        throw RunFailure(RunStatus::overlapping,
+                         fmt::format("two bodies overlap by more than {:.0f} % of the smaller radius {}",
+                                     100 * simulation.options().overlap_limit, moment()));
+    case dem::Health::unbalanced:
+        throw RunFailure(RunStatus::unbalanced,
+                         fmt::format("the energy ledger misses {:.2g} % of the energy turned over, more than "
+                                     "energy_closure_limit, {:.2g} %, {}; a smaller time step resolves the "
+                                     "contacts better",
+                                     100 * simulation.energy().closure_error(),
+                                     100 * simulation.options().closure_limit, moment()));
+    }
+}
+
+RunResult ProgrammeRun::result()
+{
+    RunResult result{.status = status_, .reason = reason_};
+    result.responses.assign(programme_.responses.size(), none);
+    if (!bench_)
+        return result;
+    auto& simulation = bench_->simulation;
+    auto const& progress = bench_->progress;
+    result.responses = progress.responses;
+    result.series = progress.series;
+    result.profiles = progress.profiles;
+    result.snapshots = progress.snapshots;
+    result.steps = simulation.steps_done();
+    result.simulated_time = simulation.time();
+    result.particles = static_cast<std::int64_t>(simulation.counts().particles);
+    if (simulation.options().energy_ledger)
+        result.energy = simulation.energy();
+    return result;
+}
+
+} // namespace demens::rig

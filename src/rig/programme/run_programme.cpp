@@ -1,0 +1,86 @@
+// A run from its beginning to its end, with frames, and looks at the clock and at the caller's wish to stop.
+#include "demens/rig/programme/programme_run.hpp"
+
+#include "demens/observe/wall_outline.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace demens::rig {
+namespace {
+
+constexpr double poll_interval = 0.1; //!< between looks at the clock [s]
+
+//! Seconds of wall time.
+double now()
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+//! So many steps, of which `steps` took so long [s], take about one poll interval.
+std::int64_t next_portion(std::int64_t steps, double took)
+{
+    double const factor = std::clamp(poll_interval / std::max(took, 1e-9), 0.1, 2.0);
+    return std::max<std::int64_t>(1, std::llround(static_cast<double>(steps) * factor));
+}
+
+} // namespace
+
+RunResult run_programme(Programme programme, RunHooks const& hooks)
+{
+    ProgrammeRun run(std::move(programme), hooks.team);
+    double next_frame = 0;
+    if (hooks.on_frame && hooks.frame_interval > 0)
+        run.watch([&](Bench& bench, std::string const& stage) {
+            if (bench.simulation.time() < next_frame)
+                return;
+            hooks.on_frame(take_snapshot(bench.simulation, stage));
+            next_frame = bench.simulation.time() + hooks.frame_interval * (1 - 1e-9);
+        });
+    // What depends on clocks and signals must end all ranks of a team or none, and after the same step.
+    auto const agreed = [&](bool here) { return hooks.team ? hooks.team->any(here) : here; };
+    double const started = now();
+    for (std::int64_t portion = 1; !run.is_over();) {
+        double const before = now();
+        run.advance(portion);
+        if (run.is_over())
+            break;
+        if (agreed(hooks.should_stop && hooks.should_stop()))
+            throw RunInterrupted();
+        double const after = now();
+        if (agreed(hooks.wall_time_limit > 0 && after - started > hooks.wall_time_limit))
+            run.fail(RunStatus::timed_out, fmt::format("the run took more than {:.0f} s of wall time {}",
+                                                       hooks.wall_time_limit, run.moment()));
+        portion = next_portion(portion, hooks.team ? hooks.team->largest(after - before) : after - before);
+    }
+    return run.result();
+}
+
+Snapshot take_snapshot(dem::Simulation& simulation, std::string name)
+{
+    auto const particles = simulation.read(dem::Fields::all);
+    std::size_t const n = particles.size();
+    Snapshot snapshot;
+    snapshot.name = std::move(name);
+    snapshot.time = simulation.time();
+    for (auto* column : {&snapshot.x, &snapshot.y, &snapshot.z, &snapshot.radius, &snapshot.vx, &snapshot.vy,
+                         &snapshot.vz, &snapshot.wx, &snapshot.wy, &snapshot.wz})
+        column->resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        auto const id = particles.id(k).value;
+        dem::Place const& p = particles.place(k);
+        Vector3 const v = particles.velocity(k), w = particles.spin(k);
+        snapshot.x[id] = p.x, snapshot.y[id] = p.y, snapshot.z[id] = p.z, snapshot.radius[id] = p.radius;
+        snapshot.vx[id] = v.x, snapshot.vy[id] = v.y, snapshot.vz[id] = v.z;
+        snapshot.wx[id] = w.x, snapshot.wy[id] = w.y, snapshot.wz[id] = w.z;
+    }
+    for (dem::Wall const& wall : simulation.walls())
+        if (wall.active)
+            observe::add_outline(snapshot, wall);
+    return snapshot;
+}
+
+} // namespace demens::rig

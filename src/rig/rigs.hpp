@@ -1,0 +1,16 @@
+#pragma once
+
+#include "demens/rig/rig.hpp"
+
+namespace demens::rig {
+
+//! One sphere hits a plane: the smallest experiment, done in milliseconds.
+RigInfo impact_rig();
+//! The Draw Down Test of `drawdown-ores` (Moncada et al. 2023).
+RigInfo drawdown_rig();
+//! A rotating drum: energies of `drum-am-powders`, end views of `drum-wood-powders`.
+RigInfo drum_rig();
+//! A rig that is described by its experiment alone: `src/rig/custom/CUSTOM.md`.
+RigInfo custom_rig();
+
+} // namespace demens::rig
