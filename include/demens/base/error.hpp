@@ -12,11 +12,4 @@ class InputError : public std::runtime_error
     using std::runtime_error::runtime_error;
 };
 
-//! A run that cannot go on: becomes the status of that run, never the end of a campaign.
-class RunError : public std::runtime_error
-{
-  public:
-    using std::runtime_error::runtime_error;
-};
-
 } // namespace demens
