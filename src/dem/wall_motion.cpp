@@ -1,5 +1,6 @@
 #include "demens/dem/wall_motion.hpp"
 
+#include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
 
 #include <algorithm>
@@ -133,6 +134,7 @@ MovedWall::MovedWall(Wall const& at_first, std::vector<WallMotion> motions, doub
 void MovedWall::move(Wall& wall, double time, double velocity_time) const
 {
     auto const& [shape, pivot, motions, spinning] = parts_;
+    DEMENS_EXPECT(spinning <= motions.size(), "so many of the first motions");
     Placement place;
     Twist total{};
     Vector3 belt;

@@ -1,5 +1,6 @@
 #include "demens/shape/packing.hpp"
 
+#include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
 #include "demens/shape/placed_spheres.hpp"
 
@@ -43,6 +44,9 @@ std::vector<Vector3> loose_packing(std::vector<double> const& diameters, Vector3
 {
     if (diameters.empty())
         return {};
+    DEMENS_EXPECT(std::all_of(diameters.begin(), diameters.end(), [](double d) { return d > 0; }),
+                  "spheres have a size");
+    DEMENS_EXPECT(solid_fraction > 0 && solid_fraction < 1, "a part of the space");
     double const largest = *std::max_element(diameters.begin(), diameters.end());
     if (largest >= std::min(width_x, width_y))
         throw InputError(
@@ -81,6 +85,8 @@ std::vector<Vector3> fill_region(std::vector<double> const& diameters, Region co
 {
     if (diameters.empty())
         return {};
+    DEMENS_EXPECT(std::all_of(diameters.begin(), diameters.end(), [](double d) { return d > 0; }),
+                  "spheres have a size");
     double const largest = *std::max_element(diameters.begin(), diameters.end());
     auto const box = bounds(region);
     Vector3 const extent = box.upper - box.lower;

@@ -1,5 +1,6 @@
 #include "demens/shape/size_distribution.hpp"
 
+#include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
 
 #include <algorithm>
@@ -57,6 +58,7 @@ SizeDistribution SizeDistribution::from_classes(std::vector<double> const& diame
 
 double SizeDistribution::quantile(double mass_fraction) const
 {
+    DEMENS_EXPECT(mass_fraction >= 0 && mass_fraction <= 1, "a fraction");
     auto const above = std::upper_bound(fractions_.begin(), fractions_.end(), mass_fraction);
     if (above == fractions_.end())
         return diameters_.back();
@@ -94,6 +96,7 @@ SizeDistribution SizeDistribution::scaled(double factor) const
 
 std::vector<double> SizeDistribution::sample_mass(double mass, double density, RandomStream& random) const
 {
+    DEMENS_EXPECT(mass >= 0 && density > 0, "a mass of a material");
     // Walk along the cumulative mass curve, sphere by sphere: each sphere stands for its own stretch of the
     // curve, so that the sample follows the distribution by mass whatever the number of spheres.
     double const per_cubed = density * std::numbers::pi / 6;

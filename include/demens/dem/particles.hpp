@@ -47,6 +47,12 @@ struct Particles
 
     std::size_t size() const { return place.size(); }
     std::size_t owned() const { return place.size() - ghosts; }
+    //! Whether all columns have the same length.
+    bool is_whole() const
+    {
+        return motion.size() == size() && load.size() == size() && material.size() == size() &&
+               id.size() == size() && ghosts <= size();
+    }
     void resize(std::size_t count)
     {
         place.resize(count), motion.resize(count), load.resize(count);

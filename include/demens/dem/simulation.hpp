@@ -53,7 +53,11 @@ class Simulation
     StateRecord save() { return engine_->save(); }
 
     std::vector<Wall> const& walls() const { return engine_->walls(); }
-    Wall const& wall(WallId id) const { return walls()[id.value]; }
+    Wall const& wall(WallId id) const
+    {
+        DEMENS_EXPECT(id.value < walls().size(), "a wall that was added");
+        return walls()[id.value];
+    }
     std::int64_t steps_done() const { return engine_->steps_done(); }
     double time() const { return static_cast<double>(steps_done()) * options().time_step; } //!< [s]
     SimulationOptions const& options() const { return engine_->options(); }

@@ -87,6 +87,14 @@ struct ContactList
         patches.clear();
         near_triangles.clear();
     }
+    //! Whether all columns have the length that they should.
+    bool is_whole() const
+    {
+        std::size_t const count = size();
+        return second.size() == count && touching.size() == count &&
+               state.size() == count * static_cast<std::size_t>(state_size) &&
+               offset.size() == (kind == ContactKind::wall ? count : 0);
+    }
     //! Adds a pair without history.
     void add(std::uint32_t i, std::uint32_t j)
     {

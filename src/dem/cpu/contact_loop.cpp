@@ -1,5 +1,6 @@
 #include "src/dem/cpu/contact_loop.hpp"
 
+#include "demens/base/contract.hpp"
 #include "src/dem/cpu/block_transfer.hpp"
 #include "src/dem/cpu/pair_test.hpp"
 #include "src/dem/cpu/wall_contacts.hpp"
@@ -17,6 +18,9 @@ void ContactLoop::compute(Params const& params, State& state, ContactList& list)
     std::size_t const count = list.size();
     if (count == 0)
         return;
+    DEMENS_EXPECT(list.is_whole(), "a list has columns of one length");
+    DEMENS_EXPECT(list.state_size == params.layouts[list.interaction].size,
+                  "histories have room for the laws");
     std::size_t const most = with_wall ? count : std::min(count, portion);
     if (touching_.size() < most + 1) {
         touching_.resize(2 * most + 1);

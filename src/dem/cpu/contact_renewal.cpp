@@ -1,5 +1,7 @@
 #include "src/dem/cpu/contact_renewal.hpp"
 
+#include "demens/base/contract.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -26,6 +28,7 @@ DEMENS_MULTIVERSION std::size_t find_near(Place const* place, std::vector<Candid
 void ContactRenewal::renew(ContactList& list, Particles const& particles, Periods const& periods,
                            double reach)
 {
+    DEMENS_EXPECT(list.kind != ContactKind::wall && list.is_whole(), "a whole list of pairs");
     near_.resize(list.candidates.size() + 1); // the last number written may be of a pair that is not near
     auto const chosen = periods.any() ? find_near<true> : find_near<false>;
     near_.resize(chosen(particles.place.data(), list.candidates, periods, reach, near_.data()));

@@ -19,6 +19,8 @@ CpuEngine::CpuEngine(contact::Model const& model, SimulationOptions const& optio
       accounts_(make_accounts(options.energy_ledger)),
       search_(params_->materials.size(), params_->interaction, options.periodic)
 {
+    DEMENS_EXPECT(options.time_step > 0 && options.skin >= 0,
+                  "time goes on, and lists reach as far as contacts");
     for (auto const& layout : params_->layouts)
         state_.contacts.add_law_set(layout.size, layout.scalars, partition_->has_ghosts());
 }
@@ -108,6 +110,7 @@ void CpuEngine::activate(WallId wall, bool on)
 
 void CpuEngine::advance(std::int64_t steps)
 {
+    DEMENS_EXPECT(steps >= 0, "time goes forwards");
     for (std::int64_t k = 0; k < steps; ++k)
         step();
 }

@@ -1,5 +1,7 @@
 #include "src/dem/cpu/mesh_contacts.hpp"
 
+#include "demens/base/contract.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -97,6 +99,7 @@ std::span<Vector3 const> MeshContactFinder::find(shape::TriangleMesh const& mesh
                                                  std::span<NearTriangle> near, double travelled,
                                                  Sphere const& sphere)
 {
+    DEMENS_EXPECT(sphere.radius > 0 && sphere.reach >= sphere.radius, "a sphere that reaches its surface");
     collect(mesh, near, travelled, sphere);
     offsets_.clear();
     accepted_.clear();

@@ -1,5 +1,6 @@
 #include "src/dem/cpu/neighbours.hpp"
 
+#include "demens/base/contract.hpp"
 #include "src/dem/cpu/wall_contacts.hpp"
 
 #include <algorithm>
@@ -9,6 +10,10 @@ namespace demens::dem {
 void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& walls,
                               NeighbourReach const& reach, ContactLists& contacts)
 {
+    DEMENS_EXPECT(particles.is_whole(), "particles have columns of one length");
+    DEMENS_EXPECT(contacts.pairs.size() == contacts.walls.size() &&
+                      (particles.ghosts == 0 || contacts.ghosts.size() == contacts.pairs.size()),
+                  "of each kind a list for each law set");
     CellGrid const grid(particles.place, reach.candidates, periods_);
     sort_into_cells(particles, grid);
     index_old_contacts(particles.size(), contacts);
@@ -113,6 +118,7 @@ void NeighbourSearch::set_histories_aside(ContactLists& contacts)
 
 void NeighbourSearch::add_contact(ContactList& list, std::uint32_t i, std::uint32_t j)
 {
+    DEMENS_EXPECT(i != j || list.kind == ContactKind::wall, "a particle does not meet itself");
     list.add(i, j);
     restore_histories(list, list.size() - 1);
 }

@@ -1,5 +1,7 @@
 #include "src/dem/cpu/pair_test.hpp"
 
+#include "demens/base/contract.hpp"
+
 namespace demens::dem {
 namespace {
 
@@ -43,6 +45,7 @@ std::pair<std::size_t, std::size_t> test_pairs(ContactList& list, Slots slots, P
                                                Periods const& periods, contact::Range const& range,
                                                std::uint32_t* now, std::uint32_t* parted)
 {
+    DEMENS_EXPECT(slots.from < slots.to && slots.to <= list.size(), "slots of the list");
     bool const has_range = range.gap > 0;
     auto const chosen = periods.any() ? (has_range ? test<true, true> : test<true, false>)
                                       : (has_range ? test<false, true> : test<false, false>);

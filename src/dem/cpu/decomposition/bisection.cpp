@@ -1,5 +1,6 @@
 #include "src/dem/cpu/decomposition/bisection.hpp"
 
+#include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
 
 #include <algorithm>
@@ -121,6 +122,7 @@ std::vector<Search> begin_searches(Cutting const& cutting, std::vector<int> cons
 //! The nodes of one depth are cut together, so that the number of messages grows with the depth only.
 void Bisection::cut(Team& team, std::span<Place const> places, std::span<double const> weights)
 {
+    DEMENS_EXPECT(places.size() == weights.size() && team.size() == ranks_, "a weight a place, a box a rank");
     nodes_.resize(1);
     nodes_[0].half = -1;
     std::vector<int> node_of(places.size(), 0);

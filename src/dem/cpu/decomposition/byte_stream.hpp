@@ -1,5 +1,6 @@
 #pragma once
 
+#include "demens/base/contract.hpp"
 #include "demens/dem/team.hpp"
 
 #include <cstring>
@@ -42,6 +43,7 @@ class ByteReader
     void get(T* values, std::size_t count)
     {
         static_assert(std::is_trivially_copyable_v<T>);
+        DEMENS_EXPECT(count * sizeof(T) <= bytes_.size() - at_, "no more is read than was written");
         if (count > 0)
             std::memcpy(static_cast<void*>(values), bytes_.data() + at_, count * sizeof(T));
         at_ += count * sizeof(T);
