@@ -6,4 +6,4 @@ root=$(cd "$(dirname "$0")/../../.." && pwd)
 cmake --build "$build" --target calibration_coverage calibration_economy calibration_recovery
 "$build/tests/bench/calibration/calibration_economy" "$root/inputs/auger-table/auger_lactose_doe.csv" 5
 "$build/tests/bench/calibration/calibration_recovery" 20
-"$build/tests/bench/calibration/calibration_coverage" 50
+"$build/tests/bench/calibration/calibration_coverage" 100
