@@ -174,6 +174,7 @@ json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of
             {"constraints", constraints_of(input)},
             {"experiments", experiments_of(input)},
             {"targets", targets_of(input)},
+            {"warnings", input.warnings()},
             {"waves", waves_of(campaign)},
             {"history",
              {{"wmse", analysis.values(stored::history::wmse)},

@@ -1,5 +1,5 @@
 // The page, from top to bottom. The document `campaign` has: name, file, seed, ended, stop, factors, constraints,
-// experiments, targets, waves (with their runs), history, optimum, surrogate, details (pictures, series), input.
+// experiments, targets, warnings, waves (with their runs), history, optimum, surrogate, details (pictures, series), input.
 
 function show_headline() {
     section('name').textContent = campaign.name;
@@ -27,6 +27,8 @@ function show_headline() {
     section('tiles').append(...tiles);
     section('ended').append(element('b', {}, campaign.ended ? 'Ended: ' : 'Not ended yet. '),
                             campaign.ended || 'The same command goes on with it.');
+    for (const warning of campaign.warnings)
+        section('ended').after(element('p', {class: 'bad'}, `Warning: ${warning}.`));
     if (campaign.constraints.length > 0)
         section('ended').after(element('p', {class: 'note'}, `Kept throughout: ${campaign.constraints.join(', ')}.`));
 }

@@ -130,9 +130,10 @@ TimeStepLimit time_step_limit(contact::Model const& model, std::string const& ma
 {
     auto const& particle = model.materials[material_index(model, material)];
     double const rayleigh = dem::rayleigh_time(0.5 * smallest_diameter, particle);
-    TimeStepLimit limit{rayleigh_fraction * rayleigh,
-                        fmt::format("{:.3g} of the Rayleigh time {:.3g} s of the smallest sphere ({:.4g} mm)",
-                                    rayleigh_fraction, rayleigh, 1e3 * smallest_diameter)};
+    TimeStepLimit limit{
+        rayleigh_fraction * rayleigh,
+        fmt::format("{:.3g} of the Rayleigh time {:.3g} s of the smallest sphere of {} ({:.4g} mm)",
+                    rayleigh_fraction, rayleigh, material, 1e3 * smallest_diameter)};
     double const mass = particle.density * std::numbers::pi / 6 * std::pow(smallest_diameter, 3);
     for (auto const& pair : model.pairs) {
         if (pair.normal != contact::NormalLaw::hysteretic_spring ||

@@ -81,7 +81,7 @@ CsvTable CsvTable::from_text(std::string const& content, std::string const& orig
         } else if (!all_numbers(row.cells)) {
             table.take_names(std::move(row));
         } else if (last_comment.cells.size() == row.cells.size() && !all_numbers(last_comment.cells)) {
-            table.take_names(std::move(last_comment)); // `#run,a,y`
+            table.take_names(last_comment); // `#run,a,y`
             table.add(std::move(row));
         } else {
             throw InputError(

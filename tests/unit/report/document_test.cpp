@@ -69,6 +69,63 @@ TEST(Document, holds_where_targets_are_met_and_what_trades_off)
     EXPECT_TRUE(document_of(test::campaign_under_way(), test::sample_details)["findings"].is_null());
 }
 
+// What `new` warned of stays in sight: 13 g of spheres, half of which are of 10.47 g each.
+TEST(Document, repeats_the_warnings_of_the_input)
+{
+    ensemble::Campaign campaign;
+    campaign.input = ensemble::CampaignInput::from_text(R"(
+[campaign]
+name = "sizes"
+[material.m]
+density = 2500
+youngs_modulus = 1e7
+[contact.m_m]
+restitution = 0.5
+static_friction = 0.3
+[size_distribution.d]
+classes_mm = [2, 20]
+mass_fraction = [0.5, 0.5]
+[[experiment]]
+name = "e"
+rig = "custom"
+gravity_m_s2 = [0, 0, 0]
+[[experiment.region]]
+name = "room"
+shape = "box"
+lower_mm = [0, 0, 0]
+upper_mm = [60, 60, 200]
+[[experiment.particles]]
+name = "p"
+source = "packing"
+material = "m"
+region = "room"
+size_distribution = "d"
+mass_kg = 0.013
+[[experiment.stage]]
+name = "t"
+duration_s = 1e-5
+[[experiment.response]]
+name = "mass"
+quantity = "mass"
+[[factor]]
+path = "contact.m_m.static_friction"
+levels = [0.3, 0.5]
+[design]
+kind = "table"
+table = [[0.3]]
+[stop]
+waves = 0
+confirmation = 0
+)",
+                                                        "sizes.toml");
+    auto const warnings = document_of(campaign, test::sample_details)["warnings"];
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(
+        warnings[0].get<std::string>().substr(0, 95),
+        "experiment.e: particles.p: the particles miss what is asked for, since they are whole spheres: ");
+    EXPECT_EQ(sample_document()["warnings"], json::array());
+}
+
 TEST(Document, shows_a_run_at_the_best_point_of_each_experiment)
 {
     auto const details = sample_document()["details"];
