@@ -191,7 +191,7 @@ MatrixXd d_optimal(FactorSpace const& space, std::vector<Term> const& model, DOp
         }
     }
 
-    MatrixXd const added = space.own_units_of_rows(best);
+    MatrixXd added = space.own_units_of_rows(best);
     MatrixXd all(points, space.size());
     if (options.kept.rows() > 0)
         all.topRows(options.kept.rows()) = options.kept;
