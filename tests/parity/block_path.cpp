@@ -21,7 +21,7 @@ class Bodies
     {
         list.state_size = the_case.layout.size;
         list.state_scalars = the_case.layout.scalars;
-        list.with_wall = with_wall_;
+        list.kind = with_wall_ ? dem::ContactKind::wall : dem::ContactKind::pair;
         particles.resize(2 * contacts);
         for (unsigned c = 0; c < contacts; ++c)
             list.add(c, with_wall_ ? (c < contacts_of_first_wall ? 0 : 1) : contacts + c);
