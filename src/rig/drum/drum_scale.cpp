@@ -39,7 +39,8 @@ double bed_cohesion(DrumState const& drum, Powder const& powder)
 //! Over a pressure, to the power 2/3: diameter over overlap of Hertzian particles, but for a factor near 1.
 double stiffness_number(DrumState const& drum, Powder const& powder)
 {
-    double const nu = powder.material.poisson_ratio, pressure = powder.bulk_density * drum.gravity * drum.radius;
+    double const nu = powder.material.poisson_ratio,
+                 pressure = powder.bulk_density * drum.gravity * drum.radius;
     return std::pow(powder.material.youngs_modulus / ((1 - nu * nu) * pressure), 2.0 / 3);
 }
 
@@ -69,8 +70,8 @@ std::vector<SimilarityGroup> groups_of(DrumState const& real, Powder const& real
          stiffness_number(drum, powder)},
     };
     if (real_powder.surface_energy > 0) {
-        groups.push_back(
-            {"Bond number", "6 gamma/(rho g d50^2)", bond_number(real, real_powder), bond_number(drum, powder)});
+        groups.push_back({"Bond number", "6 gamma/(rho g d50^2)", bond_number(real, real_powder),
+                          bond_number(drum, powder)});
         groups.push_back({"cohesion of the bed", "6 gamma/(rho g d50 R)", bed_cohesion(real, real_powder),
                           bed_cohesion(drum, powder)});
     }
