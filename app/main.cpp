@@ -22,7 +22,8 @@ a campaign:
 exit codes:
   0   done
   2   bad input: nothing was started, nothing was changed
-  75  stopped as asked (SIGUSR1, SIGTERM, SIGINT): run the same command again to go on
+  75  stopped as asked (SIGUSR1, SIGTERM, SIGINT): run the same command again to go on;
+      mpirun returns it after SIGUSR1, and a code of its own (1) after SIGTERM
   1   anything else, e.g. a full disk, or a campaign none of whose runs finish
 )";
 

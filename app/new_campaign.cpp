@@ -6,9 +6,11 @@
 #include "ensemble/session.hpp"
 #include "ensemble/storage/lock.hpp"
 #include "tao_calib/design/design.hpp"
+#include "tao_calib/wave/plan.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 
 namespace demens::cli {
 namespace {
@@ -22,6 +24,16 @@ enum class IfExists
     replace
 };
 
+//! A campaign file that holds the plan of its first wave.
+void create(fs::path const& file, CampaignInput const& input)
+{
+    auto const first = tao_calib::first_wave(input);
+    std::optional<ensemble::WavePlan> plan;
+    if (first.kind == tao_calib::NextStep::Kind::simulate)
+        plan = {first.purpose, first.points};
+    ensemble::create_campaign_file(file, input, plan);
+}
+
 //! Puts a new campaign file in the place of an old one that nobody works on.
 void replace_campaign(fs::path const& file, CampaignInput const& input)
 {
@@ -29,7 +41,7 @@ void replace_campaign(fs::path const& file, CampaignInput const& input)
     fs::path replacement = file;
     replacement += ".replacement";
     fs::remove(replacement);
-    ensemble::create_campaign_file(replacement, input);
+    create(replacement, input);
     ensemble::Parts(file).remove();
     fs::rename(replacement, file);
 }
@@ -45,7 +57,7 @@ int make_new(fs::path const& toml, fs::path const& file, IfExists if_exists)
                         "it holds",
                         file.string()));
     else
-        ensemble::create_campaign_file(file, input);
+        create(file, input);
     fmt::print("wrote {}; run it with: mpirun -n N demens {}\n", file.string(), file.string());
     return success;
 }
@@ -95,7 +107,7 @@ CampaignInput read_checked(fs::path const& toml)
 void make_or_accept(fs::path const& toml, fs::path const& campaign_file)
 {
     if (!fs::exists(campaign_file)) {
-        ensemble::create_campaign_file(campaign_file, read_checked(toml));
+        create(campaign_file, read_checked(toml));
         return;
     }
     auto const input = CampaignInput::from_file(toml);

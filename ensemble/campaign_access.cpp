@@ -2,6 +2,7 @@
 #include "ensemble/file/campaign_file.hpp"
 #include "ensemble/file/parts.hpp"
 #include "ensemble/file/run_tables.hpp"
+#include "ensemble/run/execute.hpp"
 #include "ensemble/session.hpp"
 #include "ensemble/storage/lock.hpp"
 
@@ -9,16 +10,29 @@
 
 namespace demens::ensemble {
 
-void create_campaign_file(std::filesystem::path const& path, CampaignInput const& input)
+void create_campaign_file(std::filesystem::path const& path, CampaignInput const& input,
+                          std::optional<WavePlan> const& first_wave)
 {
     if (std::filesystem::exists(path))
         throw InputError(
             fmt::format("{}: exists already; give another name, or remove it first", path.string()));
     CampaignLock const lock(path, CampaignLock::Kind::session);
-    auto const file = hdf5::create_in_memory();
+    auto file = hdf5::create_in_memory();
     write_header(file, input);
+    if (first_wave) {
+        RowWriter writer(file);
+        write_plan(writer, plan_runs({input, {}, {}}, first_wave->purpose, first_wave->points), input);
+    }
     Parts(path).remove(); // of a campaign file that is no more
-    write_durably(path, hdf5::image_of(file));
+    write_durably(path, file.take_image());
+    try {
+        forget_cached(path);
+        open_campaign(path); // read back
+    } catch (InputError const& error) {
+        std::filesystem::remove(path);
+        throw FileError(
+            fmt::format("{}; it was just written, so that the disk may be failing", error.what()));
+    }
 }
 
 Campaign read_campaign_file(std::filesystem::path const& path, Rigs const& rigs)

@@ -4,7 +4,6 @@
 #include "ensemble/file/run_tables.hpp"
 #include "ensemble/mpi/agreement.hpp"
 
-#include <cstring>
 #include <fmt/format.h>
 #include <memory>
 
@@ -48,28 +47,20 @@ unsigned long long check_sum(std::vector<RunRecord> const& runs)
     return sum;
 }
 
+//! Rank 0 makes the datasets; then each rank writes its rows into the closed file.
 void write_together(MPI_Comm communicator, std::filesystem::path const& copy, CampaignInput const& input,
                     Wave const& wave, Rows const& rows)
 {
-    hdf5::File file;
-    on_all(communicator, [&] { file = open_to_write_together(copy, communicator); });
-    // From here on every call is collective: a rank that fails alone would leave the others waiting. The
-    // space on the disk is reserved and the shards are read, so that only a failing disk gets here; the
-    // campaign file is untouched.
-    auto const failure = capture([&] {
-        RowWriter const writer(file, communicator);
-        auto mine = wave;
-        mine.runs = rows.runs;
-        write_results(writer, mine, input);
-        write_details(writer, wave.number, rows.runs, rows.details, input);
-        hdf5::close(file);
-    });
-    if (failure && size_of(communicator) > 1) {
-        fmt::print(stderr, "demens: {}: {}; all finished runs are kept: start the same command again\n",
-                   copy.string(), failure.message);
-        MPI_Abort(communicator, 1);
-    }
-    agree(communicator, failure);
+    hdf5::File file; // on rank 0
+    on_root(communicator, [&] { file = hdf5::open_to_write(copy); });
+    RowWriter writer(file, communicator);
+    auto mine = wave;
+    mine.runs = rows.runs;
+    write_results(writer, mine, input);
+    write_details(writer, wave.number, rows.runs, rows.details, input);
+    auto const pieces = writer.pieces();
+    on_root(communicator, [&] { file.close(); });
+    on_all(communicator, [&] { write_pieces(copy, pieces); });
 }
 
 } // namespace
@@ -88,6 +79,7 @@ void gather(MPI_Comm communicator, std::filesystem::path const& file, CampaignIn
             [&] { update = std::make_unique<FileUpdate>(file, sums[0] + (std::uintmax_t{4} << 20)); });
     write_together(communicator, copy, input, finished.wave, rows);
     on_root(communicator, [&] {
+        update->verify();
         auto const stored = read_wave(hdf5::open_to_read(copy), finished.wave.number, input);
         if (!is_complete(stored) || check_sum(stored.runs) != sums[1])
             throw FileError(fmt::format(

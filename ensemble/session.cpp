@@ -148,8 +148,10 @@ void Session::plan_wave(WavePurpose purpose, std::vector<std::vector<double>> co
         auto wave = plan_runs(campaign, purpose, points);
         if (wave.runs.empty())
             throw InputError("a wave needs at least one design point");
-        update_file(self.file, small_change + 256 * wave.runs.size(),
-                    [&](hid_t file) { write_plan(RowWriter(file), wave, campaign.input); });
+        update_file(self.file, small_change + 256 * wave.runs.size(), [&](hid_t file) {
+            RowWriter writer(file);
+            write_plan(writer, wave, campaign.input);
+        });
         campaign.waves.push_back(std::move(wave));
     });
     share_last_wave(self.communicator, campaign);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <mpi.h>
+#include <optional>
 
 namespace demens::ensemble {
 
@@ -52,8 +53,17 @@ class Session
     std::unique_ptr<Implementation> implementation_;
 };
 
-//! Writes a new campaign file without any wave. \throws InputError when it exists or cannot be written.
-void create_campaign_file(std::filesystem::path const& file, CampaignInput const& input);
+//! A wave that is to be simulated.
+struct WavePlan
+{
+    WavePurpose purpose;
+    std::vector<std::vector<double>> points; //!< design points, own units
+};
+
+//! Writes a new campaign file, with the plan of its first wave where that is given. \throws InputError when
+//! it exists, FileError when it cannot be written
+void create_campaign_file(std::filesystem::path const& file, CampaignInput const& input,
+                          std::optional<WavePlan> const& first_wave = {});
 //! Reads a campaign file on one rank, without opening it for writing. \throws InputError
 Campaign read_campaign_file(std::filesystem::path const& file, Rigs const& rigs = rig::all_rigs());
 //! \throws InputError when the campaign has no such run or it has not been simulated

@@ -12,13 +12,13 @@ namespace {
 //! A wave as a message: a campaign file in memory with this wave only.
 Bytes pack(Wave const& wave, CampaignInput const& input)
 {
-    auto const file = hdf5::create_in_memory();
-    RowWriter const writer(file);
+    auto file = hdf5::create_in_memory();
+    RowWriter writer(file);
     write_plan(writer, wave, input);
     if (is_complete(wave))
         write_results(writer, wave, input);
     write_analysis(file, wave.number, wave.analysis);
-    return hdf5::image_of(file);
+    return file.take_image();
 }
 
 //! Rank 0's files, which may be large and binary. Collective.

@@ -57,7 +57,11 @@ RunCounts counts_of_open(fs::path const& file, Campaign const& campaign, Wave co
         auto const* history = found == histories.end() ? nullptr : &found->second;
         if (history && !history->shard_crcs.empty()) {
             ++counts.done;
-            try {
+            if (history->status >= 0) {
+                counts.failed += history->status != static_cast<int>(rig::RunStatus::finished);
+                continue;
+            }
+            try { // the journal of an earlier program
                 counts.failed +=
                     parts.load(wave.runs[row], campaign.input, history->shard_crcs).record.status !=
                     rig::RunStatus::finished;

@@ -47,18 +47,40 @@ std::string embeddable(nlohmann::json const& document)
     return safe;
 }
 
-void replace_mark(std::string& page, std::string_view mark, std::string const& text)
+//! The runs of each wave as rows under one list of keys, since many runs would repeat the keys many times.
+nlohmann::json with_rows_of_runs(nlohmann::json document)
 {
-    page.replace(page.find(mark), mark.size(), text);
+    for (auto& wave : document["waves"]) {
+        auto& runs = wave["runs"];
+        nlohmann::json keys = nlohmann::json::array(), rows = nlohmann::json::array();
+        for (auto const& run : runs) {
+            if (keys.empty())
+                for (auto const& [key, value] : run.items())
+                    keys.push_back(key);
+            nlohmann::json row = nlohmann::json::array();
+            for (auto const& [key, value] : run.items())
+                row.push_back(value);
+            rows.push_back(std::move(row));
+        }
+        runs = {{"keys", std::move(keys)}, {"rows", std::move(rows)}};
+    }
+    return document;
 }
 
 } // namespace
 
 std::string page_of(nlohmann::json const& document, std::string const& title)
 {
-    std::string page(page_template);
-    replace_mark(page, "{{title}}", escape_html(title));
-    replace_mark(page, "{{document}}", embeddable(document));
+    // Marks are found in the template alone: what is put in may hold them, too.
+    std::string_view const title_mark = "{{title}}", document_mark = "{{document}}";
+    auto const title_place = page_template.find(title_mark);
+    auto const document_place = page_template.find(document_mark, title_place);
+    std::string page(page_template.substr(0, title_place));
+    page += escape_html(title);
+    auto const between = title_place + title_mark.size();
+    page += page_template.substr(between, document_place - between);
+    page += embeddable(with_rows_of_runs(document));
+    page += page_template.substr(document_place + document_mark.size());
     return page;
 }
 

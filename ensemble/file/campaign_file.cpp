@@ -1,10 +1,15 @@
 #include "ensemble/file/campaign_file.hpp"
 
 #include "demens/base/error.hpp"
+#include "ensemble/file/audit.hpp"
 #include "ensemble/file/run_tables.hpp"
+#include "ensemble/storage/descriptor.hpp"
 #include "ensemble/storage/durable.hpp"
 #include "ensemble/version.hpp"
 
+#include <array>
+#include <cerrno>
+#include <fcntl.h>
 #include <fmt/format.h>
 
 namespace demens::ensemble {
@@ -13,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 char constexpr format_name[] = "demens campaign";
+int constexpr first_version_with_check_sums = 2;
 
 hdf5::Meaning plain(std::string doc)
 {
@@ -76,6 +82,13 @@ rig::Files read_files(hid_t file)
     return files;
 }
 
+std::string read_text(hid_t file, std::string const& path)
+{
+    auto const texts = hdf5::read_texts(file, path);
+    hdf5::require_shape(path, {texts.size()}, {1});
+    return texts.front();
+}
+
 std::string units_of(Experiment const& experiment, Target const& target)
 {
     return experiment.responses.at(static_cast<std::size_t>(target.response_index)).units;
@@ -114,6 +127,47 @@ void write_experiments(hid_t file, std::vector<Experiment> const& experiments)
                in_units("deviation that is good enough; NaN: not given"));
 }
 
+//! An HDF5 file of this program begins with the signature. \throws FileError when it cannot be read
+bool begins_like_hdf5(fs::path const& path)
+{
+    std::array<char, 8> constexpr signature = {'\211', 'H', 'D', 'F', '\r', '\n', '\032', '\n'};
+    Descriptor const in(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!in)
+        throw InputError(system_error("read", path, errno).what());
+    std::array<char, 8> begin = {};
+    std::size_t size = 0;
+    if (int const error = read_at(in.get(), std::as_writable_bytes(std::span(begin)), 0, size))
+        throw system_error("read", path, error);
+    return begin == signature;
+}
+
+//! \throws InputError
+void require_known_format(hid_t file, std::string const& name)
+{
+    if (!hdf5::has_attribute(file, "/", "format_version") || !hdf5::has_attribute(file, "/", "format") ||
+        hdf5::text_attribute(file, "/", "format") != format_name)
+        throw InputError(
+            fmt::format("{}: an HDF5 file but not a campaign, since its attribute `format` is not \"{}\"; "
+                        "a campaign file is made by: demens new FILE.toml",
+                        name, format_name));
+    auto const version = hdf5::integer_attribute(file, "/", "format_version");
+    if (version > format_version)
+        throw InputError(
+            fmt::format("{}: campaign format {} is newer than this program, which reads up to format {}; "
+                        "use the demens that wrote it (version {}) or a later one",
+                        name, version, format_version,
+                        hdf5::has_attribute(file, "/", "program_version")
+                            ? hdf5::text_attribute(file, "/", "program_version")
+                            : "unknown"));
+}
+
+//! Looks at everything in a file of a known format. \throws FileError
+void audit_campaign(hid_t file)
+{
+    auto const version = hdf5::integer_attribute(file, "/", "format_version");
+    audit(file, version >= first_version_with_check_sums ? CheckSums::required : CheckSums::where_present);
+}
+
 } // namespace
 
 void write_header(hid_t file, CampaignInput const& input)
@@ -138,49 +192,41 @@ void write_header(hid_t file, CampaignInput const& input)
 hdf5::File open_campaign(fs::path const& path)
 {
     auto const name = path.string();
-    std::error_code ignored;
-    if (!fs::exists(path, ignored))
+    std::error_code error;
+    if (!fs::exists(path, error))
         throw InputError(
-            fmt::format("{}: no such file; a campaign file is made by: demens new FILE.toml", name));
-    if (!fs::is_regular_file(path, ignored) || H5Fis_hdf5(path.c_str()) <= 0)
-        throw InputError(fmt::format(
-            "{}: not a campaign file, since it is not HDF5; a campaign file is made by: demens new FILE.toml",
-            name));
-    hdf5::File file;
+            error ? fmt::format("{}: cannot be read: {}", name, error.message())
+                  : fmt::format("{}: no such file; a campaign file is made by: demens new FILE.toml", name));
     try {
-        file = hdf5::open_to_read(path);
-    } catch (FileError const& error) {
-        throw InputError(fmt::format("{}: damaged or not readable: {}", name, error.what()));
+        if (!fs::is_regular_file(path, error) || !begins_like_hdf5(path))
+            throw InputError(fmt::format("{}: not a campaign file, since it is not HDF5; a campaign file is "
+                                         "made by: demens new FILE.toml",
+                                         name));
+        auto file = hdf5::open_to_read(path);
+        require_known_format(file, name);
+        audit_campaign(file);
+        return file;
+    } catch (FileError const& failure) {
+        throw InputError(fmt::format("{}: damaged or not readable: {}", name, failure.what()));
     }
-    if (!hdf5::has_attribute(file, "/", "format_version") || !hdf5::has_attribute(file, "/", "format") ||
-        hdf5::text_attribute(file, "/", "format") != format_name)
-        throw InputError(
-            fmt::format("{}: an HDF5 file but not a campaign, since its attribute `format` is not \"{}\"; "
-                        "a campaign file is made by: demens new FILE.toml",
-                        name, format_name));
-    auto const version = hdf5::integer_attribute(file, "/", "format_version");
-    if (version > format_version)
-        throw InputError(
-            fmt::format("{}: campaign format {} is newer than this program, which reads up to format {}; "
-                        "use the demens that wrote it (version {}) or a later one",
-                        name, version, format_version,
-                        hdf5::has_attribute(file, "/", "program_version")
-                            ? hdf5::text_attribute(file, "/", "program_version")
-                            : "unknown"));
-    return file;
 }
 
 Campaign read_campaign(fs::path const& path, Rigs const& rigs)
 {
     auto const file = open_campaign(path);
     try {
-        Campaign campaign{CampaignInput::from_text(hdf5::read_texts(file, "/input/toml").at(0),
+        Campaign campaign{CampaignInput::from_text(read_text(file, "/input/toml"),
                                                    path.string() + ":/input/toml", rigs,
                                                    input::stored_files(read_files(file))),
                           {},
                           hdf5::text_attribute(file, "/", "ended")};
-        for (auto const& wave : hdf5::children(file, "/waves"))
-            campaign.waves.push_back(read_wave(file, std::stoi(wave), campaign.input));
+        auto const waves = hdf5::children(file, "/waves");
+        for (int number = 0; number < static_cast<int>(waves.size()); ++number) {
+            if (!hdf5::exists(file, wave_path(number)))
+                throw FileError(
+                    fmt::format("{} waves are there, but not {}", waves.size(), wave_path(number)));
+            campaign.waves.push_back(read_wave(file, number, campaign.input));
+        }
         return campaign;
     } catch (FileError const& error) {
         throw InputError(fmt::format("{}: damaged: {}", path.string(), error.what()));
@@ -191,9 +237,7 @@ FileUpdate::FileUpdate(fs::path file, std::uintmax_t more_bytes)
     : file_(std::move(file)), copy_(beside(file_, ".new"))
 {
     try {
-        std::error_code error;
-        if (!fs::copy_file(file_, copy_, fs::copy_options::overwrite_existing, error))
-            throw system_error("copy " + file_.string() + " to", copy_, error.value());
+        copy_to_new(file_, copy_);
         reserve_space(copy_, fs::file_size(file_) + more_bytes);
     } catch (...) {
         std::error_code ignored;
@@ -209,9 +253,15 @@ FileUpdate::~FileUpdate()
         fs::remove(copy_, ignored);
 }
 
-void FileUpdate::commit()
+void FileUpdate::verify() const
 {
     sync_file(copy_);
+    forget_cached(copy_);
+    audit_campaign(hdf5::open_to_read(copy_));
+}
+
+void FileUpdate::commit()
+{
     rename_durably(copy_, file_);
     committed_ = true;
 }
@@ -221,7 +271,8 @@ void update_file(fs::path const& path, std::uintmax_t more_bytes, std::function<
     FileUpdate update(path, more_bytes);
     auto file = hdf5::open_to_write(update.copy());
     change(file);
-    hdf5::close(file);
+    file.close();
+    update.verify();
     update.commit();
 }
 

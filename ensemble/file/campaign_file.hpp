@@ -11,11 +11,12 @@ namespace demens::ensemble {
 
 //! Version of the layout that CAMPAIGN_FILE.md documents; raised when a reader of an older one could be
 //! misled.
-int constexpr format_version = 1;
+int constexpr format_version = 2;
 
 //! Format, program version, input, factors, experiments, targets.
 void write_header(hid_t file, CampaignInput const& input);
-//! Opens a campaign file for reading. \throws InputError when it is none, damaged, or of a newer format
+//! Opens a campaign file for reading, after a look at everything in it. \throws InputError when it is none,
+//! damaged, of a newer format, or not readable
 hdf5::File open_campaign(std::filesystem::path const& file);
 //! Everything but series and snapshots. \throws InputError
 Campaign read_campaign(std::filesystem::path const& file, Rigs const& rigs);
@@ -32,7 +33,9 @@ class FileUpdate
     FileUpdate& operator=(FileUpdate const&) = delete;
 
     std::filesystem::path const& copy() const { return copy_; }
-    //! The closed copy takes the place of the file. \throws FileError
+    //! Syncs the closed copy and reads all of it back. \throws FileError when it is not as it should be
+    void verify() const;
+    //! The verified copy takes the place of the file. \throws FileError
     void commit();
 
   private:

@@ -1,7 +1,11 @@
 #include "ensemble/file/hdf5.hpp"
 
+#include "ensemble/storage/durable.hpp"
+
 #include <algorithm>
+#include <cstring>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <numeric>
 
 namespace demens::ensemble::hdf5 {
@@ -98,9 +102,56 @@ T get_number(hid_t at, std::string const& path, std::string const& name)
     auto const object = open_object(at, path);
     Attribute const attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT),
                               "read the attribute " + name + " of " + path);
+    Type const type(H5Aget_type(attribute), "read the attribute " + name + " of " + path);
+    Space const space(H5Aget_space(attribute), "read the attribute " + name + " of " + path);
+    auto const kind = H5Tget_class(type);
+    if (H5Sget_simple_extent_npoints(space) != 1 || (kind != H5T_INTEGER && kind != H5T_FLOAT))
+        throw FileError("the attribute " + name + " of " + path + " is not one number");
     T value{};
     check(H5Aread(attribute, type_of<T>(), &value), "read the attribute " + name + " of " + path);
     return value;
+}
+
+Properties access_properties()
+{
+    keep_quiet();
+    Properties access(H5Pcreate(H5P_FILE_ACCESS), "make HDF5 access properties");
+    // The layout of HDF5 1.8, whose headers have check sums of their own.
+    check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18), "choose the HDF5 layout");
+    return access;
+}
+
+//! Links lie in the header of their group, which has a check sum; HDF5 1.10 crashes on damage in the heap in
+//! which it would keep many of them.
+void keep_links_in_header(hid_t group_creation)
+{
+    unsigned constexpr most = 65535;
+    check(H5Pset_link_phase_change(group_creation, most, most - 1), "choose how groups are stored");
+}
+
+File open_file(std::filesystem::path const& file, unsigned flags)
+{
+    auto const access = access_properties();
+    auto const state = std::make_shared<DriverState>();
+    use_own_driver(access, state);
+    return {H5Fopen(file.c_str(), flags, access), file.string(), "open " + file.string(), state};
+}
+
+//! As many bytes as the type in the file takes.
+std::span<std::byte const> bytes_of(void const* data, std::size_t size)
+{
+    return {static_cast<std::byte const*>(data), size};
+}
+
+//! The type in the file is of the same class as the numbers that are asked for.
+template <class T>
+void require_type(hid_t dataset, std::string const& path)
+{
+    Type const type(H5Dget_type(dataset), "read the type of " + path);
+    auto const right = std::is_floating_point_v<T> ? H5T_FLOAT : H5T_INTEGER;
+    if (H5Tget_class(type) != right)
+        throw FileError(path +
+                        (right == H5T_FLOAT ? " does not hold numbers" : " does not hold whole numbers"));
 }
 
 } // namespace
@@ -114,48 +165,57 @@ void check(long long result, std::string const& what)
     throw FileError(fmt::format("cannot {} (HDF5: {})", what, reason.empty() ? "no reason given" : reason));
 }
 
+File::File(hid_t id, std::string name, std::string const& what, std::shared_ptr<DriverState> state)
+    : state_(std::move(state)), name_(std::move(name))
+{
+    if (id < 0 && state_ && state_->error != 0)
+        throw FileError(fmt::format("cannot {} {}: {}", state_->doing, name_, std::strerror(state_->error)));
+    handle_ = Handle<H5Fclose>(id, what);
+}
+
+void File::close()
+{
+    auto const what = "write the last of " + name_;
+    handle_.close(what);
+    if (state_ && state_->error != 0)
+        throw system_error(state_->doing, name_, state_->error);
+}
+
 File open_to_read(std::filesystem::path const& file)
 {
-    keep_quiet();
-    return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open " + file.string()};
+    return open_file(file, H5F_ACC_RDONLY);
 }
 
 File open_to_write(std::filesystem::path const& file)
 {
-    keep_quiet();
-    return {H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "open for writing " + file.string()};
+    return open_file(file, H5F_ACC_RDWR);
 }
 
 File create_in_memory()
 {
-    keep_quiet();
-    Properties const access(H5Pcreate(H5P_FILE_ACCESS), "make HDF5 access properties");
-    check(H5Pset_fapl_core(access, 1 << 16, false), "keep a file in memory");
-    return {H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), "create a file in memory"};
+    auto const access = access_properties();
+    auto const state = std::make_shared<DriverState>();
+    state->memory.emplace();
+    use_own_driver(access, state);
+    Properties const creation(H5Pcreate(H5P_FILE_CREATE), "make HDF5 file properties");
+    keep_links_in_header(creation);
+    return {H5Fcreate("in memory", H5F_ACC_TRUNC, creation, access), "a file in memory",
+            "create a file in memory", state};
 }
 
-File open_in_memory(Bytes const& image)
+File open_in_memory(Bytes image)
 {
-    keep_quiet();
-    Properties const access(H5Pcreate(H5P_FILE_ACCESS), "make HDF5 access properties");
-    check(H5Pset_fapl_core(access, 1 << 16, false), "keep a file in memory");
-    check(H5Pset_file_image(access, const_cast<std::byte*>(image.data()), image.size()), "take a file image");
-    return {H5Fopen("in memory", H5F_ACC_RDONLY, access), "open a file image"};
+    auto const access = access_properties();
+    auto const state = std::make_shared<DriverState>();
+    state->memory = std::move(image);
+    use_own_driver(access, state);
+    return {H5Fopen("in memory", H5F_ACC_RDONLY, access), "a file in memory", "open a file image", state};
 }
 
-Bytes image_of(File const& file)
+Bytes File::take_image()
 {
-    check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush a file in memory");
-    auto const size = H5Fget_file_image(file, nullptr, 0);
-    check(size, "size a file image");
-    Bytes image(static_cast<std::size_t>(size));
-    check(H5Fget_file_image(file, image.data(), image.size()), "copy a file image");
-    return image;
-}
-
-void close(File& file)
-{
-    check(H5Fclose(file.release()), "write the last of a file");
+    close();
+    return std::move(*state_->memory);
 }
 
 Type text_type(std::size_t length)
@@ -195,20 +255,27 @@ void make_group(hid_t at, std::string const& path)
 {
     if (exists(at, path))
         return;
-    Properties const links(H5Pcreate(H5P_LINK_CREATE), "make HDF5 link properties");
-    check(H5Pset_create_intermediate_group(links, 1), "make HDF5 link properties");
-    Handle<H5Gclose> const group(H5Gcreate2(at, path.c_str(), links, H5P_DEFAULT, H5P_DEFAULT),
-                                 "create the group " + path);
+    if (auto const slash = path.rfind('/'); slash != 0 && slash != std::string::npos)
+        make_group(at, path.substr(0, slash));
+    Properties const creation(H5Pcreate(H5P_GROUP_CREATE), "make HDF5 group properties");
+    keep_links_in_header(creation);
+    Handle<H5Gclose> group(H5Gcreate2(at, path.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT),
+                           "create the group " + path);
+    group.close("create the group " + path);
 }
 
 Dataset create_dataset(hid_t at, std::string const& path, hid_t type, std::vector<std::size_t> const& shape,
-                       Meaning const& meaning)
+                       Meaning const& meaning, std::uint32_t check_sum)
 {
-    Properties const links(H5Pcreate(H5P_LINK_CREATE), "make HDF5 link properties");
-    check(H5Pset_create_intermediate_group(links, 1), "make HDF5 link properties");
+    if (auto const slash = path.rfind('/'); slash != 0 && slash != std::string::npos)
+        make_group(at, path.substr(0, slash));
+    Properties const creation(H5Pcreate(H5P_DATASET_CREATE), "make HDF5 dataset properties");
+    check(H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY), "make HDF5 dataset properties");
+    check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER), "make HDF5 dataset properties");
     auto const space = make_space(shape);
-    Dataset dataset(H5Dcreate2(at, path.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT),
+    Dataset dataset(H5Dcreate2(at, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
                     "create " + path);
+    set_number(dataset, ".", check_sum_name, check_sum);
     if (meaning.units.size() == 1)
         set_attribute(dataset, ".", "units", meaning.units.front());
     else if (!meaning.units.empty())
@@ -226,8 +293,10 @@ void write(hid_t at, std::string const& path, std::vector<std::size_t> const& sh
 {
     if (data.size() != count_of(shape))
         throw std::logic_error("array " + path + " does not have as many numbers as its shape says");
-    auto const dataset = create_dataset(at, path, type_of<T>(), shape, meaning);
+    auto dataset = create_dataset(at, path, type_of<T>(), shape, meaning,
+                                  crc32_of(bytes_of(data.data(), data.size() * sizeof(T))));
     check(H5Dwrite(dataset, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()), "write " + path);
+    dataset.close("write " + path);
 }
 
 template <>
@@ -236,9 +305,10 @@ void write(hid_t at, std::string const& path, std::vector<std::size_t> const& sh
 {
     auto const length = longest(data);
     auto const type = text_type(length);
-    auto const dataset = create_dataset(at, path, type, shape, meaning);
     auto const packed = pack(data, length);
+    auto dataset = create_dataset(at, path, type, shape, meaning, crc32_of(packed));
     check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()), "write " + path);
+    dataset.close("write " + path);
 }
 
 void write_text(hid_t at, std::string const& path, std::string const& text)
@@ -246,11 +316,20 @@ void write_text(hid_t at, std::string const& path, std::string const& text)
     write<std::string>(at, path, {}, {text}, {});
 }
 
+void require_shape(std::string const& path, std::vector<std::size_t> const& found,
+                   std::vector<std::size_t> const& right)
+{
+    if (found != right)
+        throw FileError(fmt::format("{} has {} entries instead of {}", path, fmt::join(found, " x "),
+                                    fmt::join(right, " x ")));
+}
+
 template <class T>
 Array<T> read_array(hid_t at, std::string const& path)
 {
     Dataset const dataset(H5Dopen2(at, path.c_str(), H5P_DEFAULT), "open " + path);
     Space const space(H5Dget_space(dataset), "read the shape of " + path);
+    require_type<T>(dataset, path);
     Array<T> array;
     array.shape = shape_of(space);
     array.data.resize(count_of(array.shape));
@@ -263,9 +342,10 @@ Array<T> read_rows(hid_t at, std::string const& path, std::size_t first, std::si
 {
     Dataset const dataset(H5Dopen2(at, path.c_str(), H5P_DEFAULT), "open " + path);
     Space const space(H5Dget_space(dataset), "read the shape of " + path);
+    require_type<T>(dataset, path);
     Array<T> array;
     array.shape = shape_of(space);
-    if (array.shape.empty() || first + count > array.shape.front())
+    if (array.shape.empty() || first > array.shape.front() || count > array.shape.front() - first)
         throw FileError("cannot read rows of " + path + ": it has fewer");
     array.shape.front() = count;
     array.data.resize(count_of(array.shape));
@@ -285,6 +365,8 @@ std::vector<std::string> read_texts(hid_t at, std::string const& path)
     Dataset const dataset(H5Dopen2(at, path.c_str(), H5P_DEFAULT), "open " + path);
     Space const space(H5Dget_space(dataset), "read the shape of " + path);
     Type const type(H5Dget_type(dataset), "read the type of " + path);
+    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0)
+        throw FileError(path + " does not hold texts of a fixed length");
     auto const length = H5Tget_size(type);
     std::string packed(count_of(shape_of(space)) * length, '\0');
     check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, packed.data()), "read " + path);

@@ -2,10 +2,13 @@
 
 #include "demens/base/bytes.hpp"
 #include "demens/base/file_error.hpp"
+#include "ensemble/file/file_driver.hpp"
 
 #include <cstdint>
 #include <filesystem>
 #include <hdf5.h>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,24 +33,45 @@ class Handle
     }
 
     operator hid_t() const { return id_; }
+    //! Closes and checks; to be used for what was written. \throws FileError
+    void close(std::string const& what);
     void reset()
     {
         if (id_ >= 0)
             Close(std::exchange(id_, -1));
     }
-    hid_t release() { return std::exchange(id_, -1); }
 
   private:
     hid_t id_ = -1;
 };
 
-using File = Handle<H5Fclose>;
 using Dataset = Handle<H5Dclose>;
 using Space = Handle<H5Sclose>;
 using Type = Handle<H5Tclose>;
 using Properties = Handle<H5Pclose>;
 using Attribute = Handle<H5Aclose>;
 using Object = Handle<H5Oclose>;
+
+//! An open HDF5 file. One that was written must be closed by close(), which alone tells whether all of it
+//! arrived.
+class File
+{
+  public:
+    File() = default;
+    //! \throws FileError when `id` is negative
+    File(hid_t id, std::string name, std::string const& what, std::shared_ptr<DriverState> state);
+
+    operator hid_t() const { return handle_; }
+    //! \throws FileError naming the file and what failed
+    void close();
+    //! Closes a file in memory and gives its content.
+    Bytes take_image();
+
+  private:
+    std::shared_ptr<DriverState> state_;
+    std::string name_;
+    Handle<H5Fclose> handle_;
+};
 
 //! \throws FileError with what was attempted and HDF5's own reason when `result` is negative.
 void check(long long result, std::string const& what);
@@ -58,10 +82,7 @@ File open_to_read(std::filesystem::path const& file);
 File open_to_write(std::filesystem::path const& file);
 //! A file in memory only, empty or with the given content.
 File create_in_memory();
-File open_in_memory(Bytes const& image);
-Bytes image_of(File const& file);
-//! Closes and reports what could not be written. \throws FileError
-void close(File& file);
+File open_in_memory(Bytes image);
 
 //! Memory type and file type of the numbers that are stored.
 template <class T>
@@ -85,6 +106,11 @@ template <>
 inline hid_t type_of<int>()
 {
     return H5T_NATIVE_INT;
+}
+template <>
+inline hid_t type_of<std::uint32_t>()
+{
+    return H5T_NATIVE_UINT32;
 }
 template <>
 inline hid_t type_of<std::int64_t>()
@@ -112,9 +138,12 @@ bool exists(hid_t at, std::string const& path);
 //! Names of the links in a group, sorted.
 std::vector<std::string> children(hid_t at, std::string const& group);
 void make_group(hid_t at, std::string const& path);
-//! A dataset with its groups above it, uninitialised, and its attributes.
+//! Name of the attribute with the check sum of a dataset: CRC-32 of its numbers as they lie in the file.
+char constexpr check_sum_name[] = "crc32";
+//! A dataset with its groups above it and its attributes, its space in the file taken and not filled.
+//! `check_sum`: of the numbers that will be written.
 Dataset create_dataset(hid_t at, std::string const& path, hid_t type, std::vector<std::size_t> const& shape,
-                       Meaning const& meaning);
+                       Meaning const& meaning, std::uint32_t check_sum);
 
 template <class T>
 void write(hid_t at, std::string const& path, std::vector<std::size_t> const& shape,
@@ -127,12 +156,23 @@ struct Array
     std::vector<std::size_t> shape;
     std::vector<T> data; //!< row-major
 };
+//! \throws FileError unless the shapes are the same
+void require_shape(std::string const& path, std::vector<std::size_t> const& found,
+                   std::vector<std::size_t> const& right);
 template <class T>
 Array<T> read_array(hid_t at, std::string const& path);
 template <class T>
 std::vector<T> read(hid_t at, std::string const& path)
 {
     return read_array<T>(at, path).data;
+}
+//! A dataset that must have this shape. \throws FileError
+template <class T>
+std::vector<T> read(hid_t at, std::string const& path, std::vector<std::size_t> const& shape)
+{
+    auto array = read_array<T>(at, path);
+    require_shape(path, array.shape, shape);
+    return std::move(array.data);
 }
 //! Rows [first, first + count) of a table.
 template <class T>
@@ -150,6 +190,13 @@ std::vector<std::string> texts_attribute(hid_t at, std::string const& path, std:
 std::string text_attribute(hid_t at, std::string const& path, std::string const& name);
 double number_attribute(hid_t at, std::string const& path, std::string const& name);
 std::int64_t integer_attribute(hid_t at, std::string const& path, std::string const& name);
+
+template <herr_t (*Close)(hid_t)>
+void Handle<Close>::close(std::string const& what)
+{
+    if (id_ >= 0)
+        check(Close(std::exchange(id_, -1)), what);
+}
 
 template <herr_t (*Close)(hid_t)>
 Handle<Close>::Handle(hid_t id, std::string const& what) : id_(id)

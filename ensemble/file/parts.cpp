@@ -48,14 +48,14 @@ void Parts::store(FinishedRun const& run, CampaignInput const& input, Journal& j
     Wave wave;
     wave.number = run.record.wave;
     wave.runs = {run.record};
-    auto const file = hdf5::create_in_memory();
-    RowWriter const writer(file);
+    auto file = hdf5::create_in_memory();
+    RowWriter writer(file);
     write_plan(writer, wave, input);
     write_results(writer, wave, input);
     write_details(writer, wave.number, wave.runs, {run.details}, input);
-    auto const image = hdf5::image_of(file);
+    auto const image = file.take_image();
     write_durably(shard(run.record.run), image);
-    journal.end(run.record.run, crc32_of(image));
+    journal.end(run.record.run, crc32_of(image), static_cast<int>(run.record.status));
 }
 
 std::uintmax_t Parts::shard_size(RunRecord const& plan) const

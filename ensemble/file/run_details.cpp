@@ -36,7 +36,7 @@ struct Curves
 };
 
 //! The curves, one below the other. Every run has a row in `samples` and `first_sample`.
-void write_curves(RowWriter const& writer, Curves const& curves)
+void write_curves(RowWriter& writer, Curves const& curves)
 {
     std::vector<std::string> labels;
     for (auto const* curve : curves.of_runs)
@@ -77,7 +77,7 @@ void write_curves(RowWriter const& writer, Curves const& curves)
 }
 
 //! Series and profiles of all runs of one experiment.
-void write_curves(RowWriter const& writer, int wave, std::vector<RunRecord> const& runs,
+void write_curves(RowWriter& writer, int wave, std::vector<RunRecord> const& runs,
                   std::vector<RunDetails> const& details, int experiment, std::string const& experiment_name)
 {
     Curves series{series_path(wave, experiment_name),
@@ -104,21 +104,39 @@ void write_curves(RowWriter const& writer, int wave, std::vector<RunRecord> cons
     }
 }
 
+//! A first row or a number of rows, as it is stored for a run or snapshot.
+std::size_t row_number(hid_t file, std::string const& path, std::size_t row)
+{
+    auto const value = hdf5::read_rows<std::int64_t>(file, path, row, 1).data.at(0);
+    if (value < 0)
+        throw FileError(fmt::format("{}: entry {} is {}, which is no number of rows", path, row, value));
+    return static_cast<std::size_t>(value);
+}
+
+//! Rows of a table with so many columns.
+template <class T>
+hdf5::Array<T> table_rows(hid_t file, std::string const& path, std::size_t first, std::size_t count,
+                          std::size_t columns)
+{
+    auto rows = hdf5::read_rows<T>(file, path, first, count);
+    hdf5::require_shape(path, rows.shape, {count, columns});
+    return rows;
+}
+
 //! The curve of the run in a row; without columns where it has none.
 rig::Series read_curve(hid_t file, std::string const& path, std::size_t row)
 {
     rig::Series curve;
     if (!hdf5::exists(file, path + "values"))
         return curve;
-    auto const first = hdf5::read_rows<std::int64_t>(file, path + "first_sample", row, 1).data.front();
-    auto const count = hdf5::read_rows<std::int64_t>(file, path + "samples", row, 1).data.front();
+    auto const first = row_number(file, path + "first_sample", row);
+    auto const count = row_number(file, path + "samples", row);
     if (count == 0)
         return curve;
-    auto const values = hdf5::read_rows<double>(file, path + "values", static_cast<std::size_t>(first),
-                                                static_cast<std::size_t>(count));
     curve.names = hdf5::texts_attribute(file, path + "values", "columns");
     curve.units = hdf5::texts_attribute(file, path + "values", "units");
-    auto const width = values.shape.at(1);
+    auto const width = curve.names.size();
+    auto const values = table_rows<double>(file, path + "values", first, count, width);
     curve.units.resize(width, curve.units.empty() ? "1" : curve.units.front());
     for (std::size_t k = 0; k < width; ++k) {
         auto& column = curve.columns.emplace_back();
@@ -146,7 +164,7 @@ std::vector<std::array<double, 6>> sixes(hdf5::Array<float> const& table)
 
 } // namespace
 
-void write_details(RowWriter const& writer, int wave, std::vector<RunRecord> const& runs,
+void write_details(RowWriter& writer, int wave, std::vector<RunRecord> const& runs,
                    std::vector<RunDetails> const& details, CampaignInput const& input)
 {
     for (std::size_t e = 0; e < input.experiments.size(); ++e)
@@ -215,22 +233,21 @@ RunDetails read_details(hid_t file, int wave, std::size_t row, std::string const
     }
 
     auto const base = snapshots_path(wave);
-    auto const run = hdf5::read_rows<int>(file, wave_path(wave) + "/runs/run", row, 1).data.front();
+    auto const run = hdf5::read_rows<int>(file, wave_path(wave) + "/runs/run", row, 1).data.at(0);
     auto const owner = hdf5::read<int>(file, base + "run");
     auto const name = hdf5::read_texts(file, base + "name");
-    auto const time = hdf5::read<double>(file, base + "time");
-    auto const rows_of = [&](std::string const& table, std::string const& first, std::string const& count,
-                             std::size_t s) {
-        auto const begin = hdf5::read_rows<std::int64_t>(file, base + first, s, 1).data.front();
-        auto const length = hdf5::read_rows<std::int64_t>(file, base + count, s, 1).data.front();
-        return hdf5::read_rows<float>(file, base + table, static_cast<std::size_t>(begin),
-                                      static_cast<std::size_t>(length));
+    auto const time = hdf5::read<double>(file, base + "time", {owner.size()});
+    hdf5::require_shape(base + "name", {name.size()}, {owner.size()});
+    auto const rows_of = [&](std::string const& table, std::string const& of, std::size_t s,
+                             std::size_t columns) {
+        return table_rows<float>(file, base + table, row_number(file, base + "first_" + of, s),
+                                 row_number(file, base + of + "_count", s), columns);
     };
     for (std::size_t s = 0; s < owner.size(); ++s) {
         if (owner[s] != run)
             continue;
-        auto const particles = rows_of("particles", "first_particle", "particle_count", s);
-        auto const walls = rows_of("walls", "first_wall", "wall_count", s);
+        auto const particles = rows_of("particles", "particle", s, 4);
+        auto const walls = rows_of("walls", "wall", s, 6);
         rig::Snapshot snapshot;
         snapshot.name = name.at(s);
         snapshot.time = time.at(s);
@@ -240,7 +257,7 @@ RunDetails read_details(hid_t file, int wave, std::size_t row, std::string const
         snapshot.radius = column_of(particles, 3);
         snapshot.walls = sixes(walls);
         if (hdf5::exists(file, base + "lines")) // files of earlier programs have none
-            snapshot.wall_lines = sixes(rows_of("lines", "first_line", "line_count", s));
+            snapshot.wall_lines = sixes(rows_of("lines", "line", s, 6));
         details.snapshots.push_back(std::move(snapshot));
     }
     return details;

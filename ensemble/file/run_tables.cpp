@@ -5,31 +5,78 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <limits>
+#include <tuple>
 
 namespace demens::ensemble {
 namespace {
 
 double constexpr not_reached = std::numeric_limits<double>::quiet_NaN();
 
-template <class Get>
-auto column(std::vector<RunRecord> const& runs, Get get)
+//! A dataset below `runs` with one entry per run, and the member that it holds.
+template <class T>
+struct RunColumn
 {
-    std::vector<std::decay_t<decltype(get(runs.front()))>> values;
+    char const* name;
+    T RunRecord::*member;
+    char const* units;
+    char const* doc;
+};
+
+auto constexpr plan_columns = std::tuple{
+    RunColumn<int>{"run", &RunRecord::run, "1", "number in the campaign"},
+    RunColumn<int>{"point", &RunRecord::point, "1", "design point; row point - first_point of ../design"},
+    RunColumn<int>{"experiment", &RunRecord::experiment, "1", "row of /experiments"},
+    RunColumn<int>{"replicate", &RunRecord::replicate, "1", "replicate"},
+    RunColumn<std::uint64_t>{"seed", &RunRecord::seed, "1", "seed of the run"},
+    RunColumn<double>{"predicted_cost", &RunRecord::predicted_cost, "1",
+                      "particles x time steps, as predicted"}};
+
+auto constexpr result_columns =
+    std::tuple{RunColumn<double>{"wall_time", &RunRecord::wall_time, "s", "time the simulation took"},
+               RunColumn<double>{"start_time", &RunRecord::start_time, "s",
+                                 "working time of the wave when it began, pauses left out"},
+               RunColumn<int>{"group", &RunRecord::group, "1", "group of ranks that ran it"},
+               RunColumn<double>{"simulated_time", &RunRecord::simulated_time, "s", "simulated time"},
+               RunColumn<std::int64_t>{"steps", &RunRecord::steps, "1", "time steps"},
+               RunColumn<std::int64_t>{"particles", &RunRecord::particles, "1", "particles"}};
+
+template <class T>
+void write_column(RowWriter& writer, std::string const& table, RunColumn<T> const& column,
+                  std::vector<RunRecord> const& runs)
+{
+    std::vector<T> values;
     values.reserve(runs.size());
     for (auto const& run : runs)
-        values.push_back(get(run));
-    return values;
+        values.push_back(run.*column.member);
+    writer.write(table + column.name, values, {{column.units}, {}, column.doc});
+}
+
+template <class T>
+void read_column(hid_t file, std::string const& table, RunColumn<T> const& column,
+                 std::vector<RunRecord>& runs)
+{
+    auto const values = hdf5::read<T>(file, table + column.name, {runs.size()});
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        runs[i].*column.member = values[i];
+}
+
+template <class Columns>
+void write_columns(RowWriter& writer, std::string const& table, Columns const& columns,
+                   std::vector<RunRecord> const& runs)
+{
+    std::apply([&](auto const&... column) { (write_column(writer, table, column, runs), ...); }, columns);
+}
+
+template <class Columns>
+void read_columns(hid_t file, std::string const& table, Columns const& columns, std::vector<RunRecord>& runs)
+{
+    std::apply([&](auto const&... column) { (read_column(file, table, column, runs), ...); }, columns);
 }
 
 hdf5::Meaning number(std::string doc)
 {
     return {{"1"}, {}, std::move(doc)};
 }
-hdf5::Meaning seconds(std::string doc)
-{
-    return {{"s"}, {}, std::move(doc)};
-}
-
 //! One row per design point of these runs, which are ordered by point.
 std::vector<double> design_rows(std::vector<RunRecord> const& runs)
 {
@@ -48,8 +95,7 @@ std::string responses_path(int wave, Experiment const& experiment)
     return wave_path(wave) + "/responses/" + experiment.name;
 }
 
-void write_responses(RowWriter const& writer, Wave const& wave, CampaignInput const& input,
-                     std::size_t experiment)
+void write_responses(RowWriter& writer, Wave const& wave, CampaignInput const& input, std::size_t experiment)
 {
     auto const& infos = input.experiments[experiment].responses;
     hdf5::Meaning meaning{{}, {}, "responses, one row per run of the wave; NaN in rows of other experiments"};
@@ -68,7 +114,7 @@ void write_responses(RowWriter const& writer, Wave const& wave, CampaignInput co
 }
 
 //! One row per run; NaN for runs without the ledger.
-void write_energy(RowWriter const& writer, std::string const& path, std::vector<RunRecord> const& runs)
+void write_energy(RowWriter& writer, std::string const& path, std::vector<RunRecord> const& runs)
 {
     hdf5::Meaning meaning{{"J"}, {}, "energy ledger at the end of each run; NaN where none was kept"};
     for (auto const& entry : dem::energy_entries)
@@ -84,7 +130,7 @@ void read_energy(hid_t file, std::string const& path, std::vector<RunRecord>& ru
 {
     if (!hdf5::exists(file, path))
         return; // a file from before there was a ledger
-    auto const rows = hdf5::read<double>(file, path);
+    auto const rows = hdf5::read<double>(file, path, {runs.size(), dem::energy_entries.size()});
     auto value = rows.begin();
     for (auto& run : runs) {
         dem::EnergyLedger energy;
@@ -110,30 +156,24 @@ void read_results(hid_t file, Wave& wave, CampaignInput const& input)
     auto const table = base + "/runs/";
     wave.groups = static_cast<int>(hdf5::integer_attribute(file, base, "groups"));
     wave.wall_time = hdf5::number_attribute(file, base, "wall_time_s");
-    auto const status = hdf5::read<int>(file, table + "status");
+    auto const status = hdf5::read<int>(file, table + "status", {wave.runs.size()});
     auto const reason = hdf5::read_texts(file, table + "reason");
-    auto const wall_time = hdf5::read<double>(file, table + "wall_time");
-    auto const start_time = hdf5::read<double>(file, table + "start_time");
-    auto const group = hdf5::read<int>(file, table + "group");
-    auto const simulated_time = hdf5::read<double>(file, table + "simulated_time");
-    auto const steps = hdf5::read<std::int64_t>(file, table + "steps");
-    auto const particles = hdf5::read<std::int64_t>(file, table + "particles");
+    hdf5::require_shape(table + "reason", {reason.size()}, {wave.runs.size()});
+    read_columns(file, table, result_columns, wave.runs);
     read_energy(file, table + "energy", wave.runs);
     std::vector<std::vector<double>> responses;
     for (auto const& experiment : input.experiments)
         responses.push_back(experiment.responses.empty()
                                 ? std::vector<double>()
-                                : hdf5::read<double>(file, responses_path(wave.number, experiment)));
+                                : hdf5::read<double>(file, responses_path(wave.number, experiment),
+                                                     {wave.runs.size(), experiment.responses.size()}));
     for (std::size_t i = 0; i < wave.runs.size(); ++i) {
         auto& run = wave.runs[i];
-        run.status = static_cast<rig::RunStatus>(status.at(i));
-        run.reason = reason.at(i);
-        run.wall_time = wall_time.at(i);
-        run.start_time = start_time.at(i);
-        run.group = group.at(i);
-        run.simulated_time = simulated_time.at(i);
-        run.steps = steps.at(i);
-        run.particles = particles.at(i);
+        if (status[i] < 0 || status[i] > static_cast<int>(rig::RunStatus::unbalanced))
+            throw FileError(
+                fmt::format("{}status: run {} has {}, which is no status", table, run.run, status[i]));
+        run.status = static_cast<rig::RunStatus>(status[i]);
+        run.reason = reason[i];
         auto const e = static_cast<std::size_t>(run.experiment);
         auto const width = input.experiments.at(e).responses.size();
         auto const row = responses[e].begin() + static_cast<std::ptrdiff_t>(i * width);
@@ -155,7 +195,39 @@ void list_datasets(hid_t file, std::string const& group, std::string const& pref
     }
 }
 
-std::vector<NamedArray> read_analysis(hid_t file, int wave)
+//! What must be as long as there are factors or targets is; readers rely on it.
+void check_shape(NamedArray const& array, CampaignInput const& input)
+{
+    auto const* name = stored::find_name(array.path);
+    if (!name || name->shape.front() == stored::Extent::none)
+        return;
+    std::size_t target_count = 0;
+    for (auto const& experiment : input.experiments)
+        target_count += experiment.targets.size();
+    std::vector<std::size_t> right;
+    for (std::size_t d = 0; d < name->shape.size() && name->shape[d] != stored::Extent::none; ++d) {
+        switch (name->shape[d]) {
+        case stored::Extent::one:
+            right.push_back(1);
+            break;
+        case stored::Extent::two:
+            right.push_back(2);
+            break;
+        case stored::Extent::factors:
+            right.push_back(input.factors.size());
+            break;
+        case stored::Extent::targets:
+            right.push_back(target_count);
+            break;
+        case stored::Extent::any:
+        case stored::Extent::none:
+            right.push_back(d < array.shape.size() ? array.shape[d] : 0);
+        }
+    }
+    hdf5::require_shape(array.path, array.shape, right);
+}
+
+std::vector<NamedArray> read_analysis(hid_t file, int wave, CampaignInput const& input)
 {
     auto const base = wave_path(wave);
     std::vector<std::string> paths;
@@ -169,6 +241,7 @@ std::vector<NamedArray> read_analysis(hid_t file, int wave)
         arrays.push_back(
             {path, std::move(array.shape), std::move(array.data), hdf5::text_attribute(file, full, "units"),
              hdf5::has_attribute(file, full, "doc") ? hdf5::text_attribute(file, full, "doc") : ""});
+        check_shape(arrays.back(), input);
     }
     return arrays;
 }
@@ -186,12 +259,12 @@ bool is_complete(Wave const& wave)
                         [](RunRecord const& run) { return run.status == rig::RunStatus::not_run; });
 }
 
-void write_plan(RowWriter const& writer, Wave const& wave, CampaignInput const& input)
+void write_plan(RowWriter& writer, Wave const& wave, CampaignInput const& input)
 {
     auto const base = wave_path(wave.number);
-    hdf5::make_group(writer.file(), base);
-    hdf5::set_attribute(writer.file(), base, "number", static_cast<std::int64_t>(wave.number));
-    hdf5::set_attribute(writer.file(), base, "purpose", word_for(wave.purpose));
+    writer.make_group(base);
+    writer.set_attribute(base, "number", static_cast<std::int64_t>(wave.number));
+    writer.set_attribute(base, "purpose", word_for(wave.purpose));
     hdf5::Meaning design{
         {"as in the factor's name"}, {}, "design points, one row each, factors in their own units"};
     for (auto const& factor : input.factors)
@@ -199,28 +272,18 @@ void write_plan(RowWriter const& writer, Wave const& wave, CampaignInput const& 
     writer.write(base + "/design", design_rows(wave.runs), design,
                  std::max<std::size_t>(1, input.factors.size()));
     auto const first_point = wave.runs.empty() ? 0 : wave.runs.front().point;
-    hdf5::set_attribute(writer.file(), base + "/design", "first_point",
-                        static_cast<std::int64_t>(first_point));
+    writer.set_attribute(base + "/design", "first_point", static_cast<std::int64_t>(first_point));
 
     auto const table = base + "/runs/";
     auto const& runs = wave.runs;
-    writer.write(table + "run", column(runs, [](auto& r) { return r.run; }),
-                 number("number in the campaign"));
-    writer.write(table + "point", column(runs, [](auto& r) { return r.point; }),
-                 number("design point; row point - first_point of ../design"));
-    writer.write(table + "experiment", column(runs, [](auto& r) { return r.experiment; }),
-                 number("row of /experiments"));
-    writer.write(table + "replicate", column(runs, [](auto& r) { return r.replicate; }), number("replicate"));
-    writer.write(table + "seed", column(runs, [](auto& r) { return r.seed; }), number("seed of the run"));
-    writer.write(table + "predicted_cost", column(runs, [](auto& r) { return r.predicted_cost; }),
-                 number("particles x time steps, as predicted"));
+    write_columns(writer, table, plan_columns, runs);
 }
 
-void write_results(RowWriter const& writer, Wave const& wave, CampaignInput const& input)
+void write_results(RowWriter& writer, Wave const& wave, CampaignInput const& input)
 {
     auto const base = wave_path(wave.number);
-    hdf5::set_attribute(writer.file(), base, "groups", static_cast<std::int64_t>(wave.groups));
-    hdf5::set_attribute(writer.file(), base, "wall_time_s", wave.wall_time);
+    writer.set_attribute(base, "groups", static_cast<std::int64_t>(wave.groups));
+    writer.set_attribute(base, "wall_time_s", wave.wall_time);
 
     auto const table = base + "/runs/";
     auto const& runs = wave.runs;
@@ -228,20 +291,15 @@ void write_results(RowWriter const& writer, Wave const& wave, CampaignInput cons
     for (int status = 0; status <= static_cast<int>(rig::RunStatus::unbalanced); ++status)
         names += fmt::format("{}{} {}", status ? ", " : "", status,
                              rig::name_of(static_cast<rig::RunStatus>(status)));
-    writer.write(table + "status", column(runs, [](auto& r) { return static_cast<int>(r.status); }),
-                 number(names));
-    writer.write_texts(table + "reason", column(runs, [](auto& r) { return r.reason; }),
-                       "why it did not finish");
-    writer.write(table + "wall_time", column(runs, [](auto& r) { return r.wall_time; }),
-                 seconds("time the simulation took"));
-    writer.write(table + "start_time", column(runs, [](auto& r) { return r.start_time; }),
-                 seconds("working time of the wave when it began, pauses left out"));
-    writer.write(table + "group", column(runs, [](auto& r) { return r.group; }),
-                 number("group of ranks that ran it"));
-    writer.write(table + "simulated_time", column(runs, [](auto& r) { return r.simulated_time; }),
-                 seconds("simulated time"));
-    writer.write(table + "steps", column(runs, [](auto& r) { return r.steps; }), number("time steps"));
-    writer.write(table + "particles", column(runs, [](auto& r) { return r.particles; }), number("particles"));
+    std::vector<int> status;
+    std::vector<std::string> reason;
+    for (auto const& run : runs) {
+        status.push_back(static_cast<int>(run.status));
+        reason.push_back(run.reason);
+    }
+    writer.write(table + "status", status, number(names));
+    writer.write_texts(table + "reason", reason, "why it did not finish");
+    write_columns(writer, table, result_columns, runs);
     write_energy(writer, table + "energy", runs);
     for (std::size_t e = 0; e < input.experiments.size(); ++e)
         write_responses(writer, wave, input, e);
@@ -264,32 +322,33 @@ Wave read_wave(hid_t file, int number, CampaignInput const& input)
     Wave wave;
     wave.number = number;
     wave.purpose = purpose_of(base, hdf5::text_attribute(file, base, "purpose"));
-    auto const design = hdf5::read<double>(file, base + "/design");
-    auto const first_point = hdf5::integer_attribute(file, base + "/design", "first_point");
-    auto const run = hdf5::read<int>(file, table + "run");
-    auto const point = hdf5::read<int>(file, table + "point");
-    auto const experiment = hdf5::read<int>(file, table + "experiment");
-    auto const replicate = hdf5::read<int>(file, table + "replicate");
-    auto const seed = hdf5::read<std::uint64_t>(file, table + "seed");
-    auto const predicted_cost = hdf5::read<double>(file, table + "predicted_cost");
+    wave.runs.resize(hdf5::read<int>(file, table + "run").size());
+    read_columns(file, table, plan_columns, wave.runs);
     auto const width = input.factors.size();
-    for (std::size_t i = 0; i < run.size(); ++i) {
-        RunRecord record;
-        record.run = run[i];
-        record.wave = number;
-        record.point = point.at(i);
-        record.experiment = experiment.at(i);
-        record.replicate = replicate.at(i);
-        record.seed = seed.at(i);
-        record.predicted_cost = predicted_cost.at(i);
-        auto const row = static_cast<std::size_t>(record.point - first_point) * width;
-        for (std::size_t k = 0; k < width; ++k)
-            record.factors.push_back(design.at(row + k));
-        wave.runs.push_back(std::move(record));
+    auto const design = hdf5::read_array<double>(file, base + "/design");
+    auto const points = design.shape.empty() ? 0 : design.shape.front();
+    hdf5::require_shape(base + "/design", design.shape, {points, std::max<std::size_t>(1, width)});
+    auto const first_point = hdf5::integer_attribute(file, base + "/design", "first_point");
+    for (auto& run : wave.runs) {
+        run.wave = number;
+        auto const row = static_cast<std::size_t>(run.point - first_point);
+        auto const experiment = static_cast<std::size_t>(run.experiment);
+        if (row >= points || experiment >= input.experiments.size())
+            throw FileError(
+                fmt::format("{}: run {} is of design point {} and experiment {}, which are not there", base,
+                            run.run, run.point, run.experiment));
+        if (run.seed != input.run_seed(run.point, run.experiment, run.replicate))
+            throw FileError(
+                fmt::format("{}: run {} does not have the seed that the campaign gives it", base, run.run));
+        run.factors.assign(design.data.begin() + static_cast<std::ptrdiff_t>(row * width),
+                           design.data.begin() + static_cast<std::ptrdiff_t>((row + 1) * width));
+        if (!std::all_of(run.factors.begin(), run.factors.end(),
+                         [](double value) { return std::isfinite(value); }))
+            throw FileError(fmt::format("{}/design: point {} is not a number", base, run.point));
     }
     if (hdf5::exists(file, table + "status"))
         read_results(file, wave, input);
-    wave.analysis = read_analysis(file, number);
+    wave.analysis = read_analysis(file, number, input);
     return wave;
 }
 

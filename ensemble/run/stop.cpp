@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -24,6 +25,8 @@ struct CrashLine
     std::size_t length;
 };
 std::array<CrashLine, crash_numbers.size()> crash_lines;
+CrashLine stop_line;
+std::sig_atomic_t volatile is_noting_stop = 0; // a run is in progress whose journal does not tell of it yet
 int volatile crash_descriptor = -1;
 alignas(16) std::array<char, 16384> crash_stack; // a run may have died of too little stack
 
@@ -33,6 +36,13 @@ void on_stop(int signal)
                                         : static_cast<int>(StopRequest::at_once);
     if (asked > request_flag)
         request_flag = asked;
+    if (signal != SIGUSR1 && is_noting_stop) {
+        is_noting_stop = 0;
+        int const saved = errno;
+        if (::write(crash_descriptor, stop_line.text.data(), stop_line.length) > 0)
+            ::fdatasync(crash_descriptor);
+        errno = saved;
+    }
 }
 
 void on_crash(int signal)
@@ -97,10 +107,17 @@ void CrashNote::set_line(int i, std::string const& line)
     std::copy_n(line.begin(), target.length, target.text.begin());
 }
 
+void CrashNote::set_stop_line(std::string const& line)
+{
+    stop_line.length = std::min(line.size(), stop_line.text.size());
+    std::copy_n(line.begin(), stop_line.length, stop_line.text.begin());
+}
+
 void CrashNote::arm(int descriptor)
 {
     static_assert(signal_count == crash_numbers.size());
     crash_descriptor = descriptor;
+    is_noting_stop = 1;
     stack_t stack = {};
     stack.ss_sp = crash_stack.data();
     stack.ss_size = crash_stack.size();
@@ -115,6 +132,7 @@ void CrashNote::arm(int descriptor)
 
 CrashNote::~CrashNote()
 {
+    is_noting_stop = 0;
     for (std::size_t i = 0; i < crash_numbers.size(); ++i)
         ::sigaction(crash_numbers[i], &crash_previous[i], nullptr);
 }

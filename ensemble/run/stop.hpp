@@ -29,14 +29,16 @@ class StopSignals
     static bool should_stop_run();
 };
 
-//! While it lives, a deadly signal of this process (e.g. a segmentation fault) first writes a line to a file.
+//! While it lives, a signal writes a line to a file first: a deadly one of this process (e.g. a segmentation
+//! fault), or the first that asks it to end (SIGTERM, SIGINT).
 class CrashNote
 {
   public:
-    //! `line_of(signal)` is called now, once per signal.
+    //! `line_of(signal)` is called now, once per deadly signal.
     template <class LineOf>
-    CrashNote(int descriptor, LineOf line_of)
+    CrashNote(int descriptor, std::string const& stop_line, LineOf line_of)
     {
+        set_stop_line(stop_line);
         for (int i = 0; i < signal_count; ++i)
             set_line(i, line_of(signal_number(i)));
         arm(descriptor);
@@ -48,6 +50,7 @@ class CrashNote
   private:
     static int constexpr signal_count = 5;
     static int signal_number(int i);
+    static void set_stop_line(std::string const& line);
     static void set_line(int i, std::string const& line);
     static void arm(int descriptor);
 };

@@ -165,7 +165,7 @@ class WaveRunner::Pass
 
     FinishedRun simulate_noting_crashes(RunRecord const& plan)
     {
-        CrashNote const note(journal_->descriptor(),
+        CrashNote const note(journal_->descriptor(), journal_->stop_line(plan.run),
                              [&](int signal) { return journal_->crash_line(plan.run, signal); });
         return simulate(plan);
     }

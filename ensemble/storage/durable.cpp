@@ -6,25 +6,12 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <zlib.h>
 
 namespace demens::ensemble {
 namespace {
 
 namespace fs = std::filesystem;
-
-void write_all(int descriptor, std::span<std::byte const> bytes, fs::path const& file)
-{
-    while (!bytes.empty()) {
-        ssize_t const n = ::write(descriptor, bytes.data(), bytes.size());
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n < 0)
-            throw system_error("write", file, errno);
-        bytes = bytes.subspan(static_cast<std::size_t>(n));
-    }
-}
 
 void sync_directory(fs::path const& directory)
 {
@@ -34,6 +21,16 @@ void sync_directory(fs::path const& directory)
     // Some network file systems cannot sync a folder and say EINVAL; there the rename is already durable.
     if (::fsync(folder.get()) != 0 && errno != EINVAL)
         throw system_error("sync the folder", directory, errno);
+}
+
+//! A file that was not there; one that was, a link too, is removed.
+Descriptor create_new(fs::path const& file)
+{
+    ::unlink(file.c_str());
+    Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (!out)
+        throw system_error("create", file, errno);
+    return out;
 }
 
 fs::path folder_of(fs::path const& file)
@@ -70,14 +67,44 @@ fs::path beside(fs::path const& file, std::string const& suffix)
     return fs::path(file.string() + suffix);
 }
 
+int read_at(int descriptor, std::span<std::byte> bytes, std::uintmax_t place, std::size_t& done)
+{
+    int constexpr most_tries = 3;
+    done = 0;
+    for (int failures = 0; done < bytes.size();) {
+        auto const n =
+            ::pread(descriptor, bytes.data() + done, bytes.size() - done, static_cast<off_t>(place + done));
+        if (n == 0)
+            return 0;
+        if (n > 0)
+            done += static_cast<std::size_t>(n);
+        else if (errno != EINTR && ++failures == most_tries)
+            return errno;
+    }
+    return 0;
+}
+
+int write_at(int descriptor, std::span<std::byte const> bytes, std::uintmax_t place)
+{
+    while (!bytes.empty()) {
+        auto const n = ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(place));
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n < 0)
+            return errno;
+        bytes = bytes.subspan(static_cast<std::size_t>(n));
+        place += static_cast<std::uintmax_t>(n);
+    }
+    return 0;
+}
+
 void write_durably(fs::path const& file, std::span<std::byte const> bytes)
 {
     auto const part = beside(file, ".part");
     try {
-        Descriptor out(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-        if (!out)
-            throw system_error("create", part, errno);
-        write_all(out.get(), bytes, part);
+        auto out = create_new(part);
+        if (int const error = write_at(out.get(), bytes, 0))
+            throw system_error("write", part, error);
         if (::fsync(out.get()) != 0 || out.close() != 0)
             throw system_error("write", part, errno);
         rename_durably(part, file);
@@ -112,16 +139,45 @@ void reserve_space(fs::path const& file, std::uintmax_t bytes)
         throw system_error("reserve disk space for", file, error_number);
 }
 
+void forget_cached(fs::path const& file)
+{
+    Descriptor const in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+    if (in)
+        ::posix_fadvise(in.get(), 0, 0, POSIX_FADV_DONTNEED); // advice only: reading is right without it
+}
+
+void copy_to_new(fs::path const& from, fs::path const& to)
+{
+    Descriptor const in(::open(from.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!in)
+        throw system_error("read", from, errno);
+    auto out = create_new(to);
+    Bytes buffer(std::size_t{1} << 20);
+    for (std::uintmax_t place = 0;;) {
+        std::size_t size = 0;
+        if (int const error = read_at(in.get(), buffer, place, size))
+            throw system_error("read", from, error);
+        if (size == 0)
+            break;
+        if (int const error = write_at(out.get(), std::span(buffer).first(size), place))
+            throw system_error("copy " + from.string() + " to", to, error);
+        place += size;
+    }
+    if (out.close() != 0)
+        throw system_error("copy " + from.string() + " to", to, errno);
+}
+
 Bytes read_bytes(fs::path const& file)
 {
-    std::ifstream in(file, std::ios::binary | std::ios::ate);
-    auto const size = in ? static_cast<std::streamoff>(in.tellg()) : -1;
-    if (size < 0)
-        throw FileError(fmt::format("cannot read {}", file.string()));
-    Bytes bytes(static_cast<std::size_t>(size));
-    in.seekg(0);
-    if (!in.read(reinterpret_cast<char*>(bytes.data()), size))
-        throw FileError(fmt::format("cannot read {}", file.string()));
+    Descriptor const in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+    auto const end = in ? ::lseek(in.get(), 0, SEEK_END) : -1;
+    if (end < 0)
+        throw system_error("read", file, errno);
+    Bytes bytes(static_cast<std::size_t>(end));
+    std::size_t done = 0;
+    if (int const error = read_at(in.get(), bytes, 0, done))
+        throw system_error("read", file, error);
+    bytes.resize(done);
     return bytes;
 }
 

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
 #include <optional>
 #include <sstream>
 
@@ -31,6 +30,8 @@ struct Entry
     std::string verb;
     int run = 0;
     std::string value;
+    int status = -1;
+    bool was_asked_to_end = false; //!< a death after that is not the run's doing
 };
 
 std::optional<Entry> parse(std::string const& line)
@@ -42,16 +43,19 @@ std::optional<Entry> parse(std::string const& line)
     if (!(in >> entry.verb >> entry.run))
         return std::nullopt;
     in >> entry.value;
+    if (int status = 0; in >> status)
+        entry.status = status;
     return entry;
 }
 
 //! Takes in one writer's journal: at any moment it has at most one run in progress.
 void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
 {
-    std::ifstream in(file);
+    auto const bytes = read_bytes(file);
+    std::istringstream in(std::string(reinterpret_cast<char const*>(bytes.data()), bytes.size()));
     Entry open; // no verb: none
     auto const count_death = [&] {
-        if (!open.verb.empty())
+        if (!open.verb.empty() && !open.was_asked_to_end)
             ++(open.verb == "ALONE" ? histories[open.run].deaths_alone : histories[open.run].deaths);
     };
     for (std::string line; std::getline(in, line);) {
@@ -64,9 +68,15 @@ void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
             open = *entry;
             continue;
         }
+        if (entry->verb == "STOP") {
+            open.was_asked_to_end = true;
+            continue;
+        }
         open = {};
-        if (entry->verb == "END")
+        if (entry->verb == "END") {
             history.shard_crcs.push_back(static_cast<std::uint32_t>(std::stoul(entry->value, nullptr, 16)));
+            history.status = entry->status;
+        }
         if (entry->verb == "CRASH") {
             ++history.crashes;
             history.crash = "signal " + entry->value;
@@ -84,7 +94,7 @@ void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
 
 Journal::Journal(fs::path const& folder, std::string const& writer) : path_(folder / ("journal-" + writer))
 {
-    file_ = Descriptor(::open(path_.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666));
+    file_ = Descriptor(::open(path_.c_str(), O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666));
     if (!file_)
         throw system_error("open", path_, errno);
     // A kill may have cut the last line off; begin a new one so that only that line is lost.
@@ -114,14 +124,19 @@ void Journal::start(int run, Company company)
     append(fmt::format("{} {} {:.3f}", company == Company::alone ? "ALONE" : "START", run, now()));
 }
 
-void Journal::end(int run, std::uint32_t shard_crc)
+void Journal::end(int run, std::uint32_t shard_crc, int status)
 {
-    append(fmt::format("END {} {:08x}", run, shard_crc));
+    append(fmt::format("END {} {:08x} {}", run, shard_crc, status));
 }
 
 void Journal::drain(int run)
 {
     append(fmt::format("DRAIN {}", run));
+}
+
+std::string Journal::stop_line(int run) const
+{
+    return line_of(fmt::format("STOP {}", run));
 }
 
 std::string Journal::crash_line(int run, int signal) const

@@ -14,8 +14,9 @@ namespace demens::ensemble {
 //!
 //!     <CRC of the rest> START 17 1732243968.123    begun, other runs beside it
 //!     <CRC of the rest> ALONE 17 1732243968.123    begun with nothing beside it
-//!     <CRC of the rest> END 17 <CRC of the shard>  complete, the shard is on the disk
+//!     <CRC of the rest> END 17 <CRC of the shard> <status>  complete, the shard is on the disk
 //!     <CRC of the rest> DRAIN 17                   given up on request; begin it again
+//!     <CRC of the rest> STOP 17                    the process was asked to end (SIGTERM, SIGINT) meanwhile
 //!     <CRC of the rest> CRASH 17 <signal>          the process received a deadly signal while it simulated
 //!
 //! A line whose CRC is wrong, e.g. one cut off by a kill, is as if it were not there.
@@ -31,10 +32,11 @@ class Journal
         alone
     };
     void start(int run, Company company);
-    void end(int run, std::uint32_t shard_crc);
+    void end(int run, std::uint32_t shard_crc, int status);
     void drain(int run);
-    //! The line that tells of a crash, made beforehand for a signal handler.
+    //! Lines that tell of a crash or of a request to end, made beforehand for a signal handler.
     std::string crash_line(int run, int signal) const;
+    std::string stop_line(int run) const;
     int descriptor() const { return file_.get(); }
 
   private:
@@ -48,6 +50,7 @@ class Journal
 struct RunHistory
 {
     std::vector<std::uint32_t> shard_crcs; //!< one per END; a whole shard has one of them
+    int status = -1;                       //!< of the last END; -1: not known
     int deaths = 0;                        //!< starts that ended without a word, with other runs beside it
     int deaths_alone = 0;                  //!< the same with nothing beside it
     int crashes = 0;                       //!< deadly signals

@@ -31,15 +31,29 @@ struct flock lock_request(short type, off_t byte)
     return request;
 }
 
+//! Some network file systems have no locks; a campaign must run there all the same.
+void go_on_without(fs::path const& path, int error_number)
+{
+    fmt::print(
+        stderr,
+        "demens: warning: cannot lock {}: {}; this file system seems to have no locks: see to it that only "
+        "one session works on the campaign at a time\n",
+        path.string(), std::strerror(error_number));
+}
+
 //! Locks of the open file, not of the process: they end when the last process that has it open dies.
 bool try_lock(Descriptor const& file, short type, off_t byte, fs::path const& path)
 {
     auto request = lock_request(type, byte);
     if (::fcntl(file.get(), F_OFD_SETLK, &request) == 0)
         return true;
-    if (errno == EAGAIN || errno == EACCES)
+    int const error = errno;
+    if (error == EAGAIN || error == EACCES || error == EINTR)
         return false;
-    throw system_error("lock", path, errno);
+    if (error == EIO || error == EBADF || error == ENOMEM)
+        throw system_error("lock", path, error);
+    go_on_without(path, error);
+    return true;
 }
 
 bool lock_within(std::chrono::milliseconds limit, Descriptor const& file, short type, off_t byte,
@@ -56,7 +70,7 @@ bool lock_within(std::chrono::milliseconds limit, Descriptor const& file, short 
 
 Descriptor open_lock_file(fs::path const& path, int flags)
 {
-    return Descriptor(::open(path.c_str(), flags | O_CLOEXEC, 0666));
+    return Descriptor(::open(path.c_str(), flags | O_NOFOLLOW | O_CLOEXEC, 0666));
 }
 
 bool is_same_file(Descriptor const& file, fs::path const& path)
@@ -69,6 +83,18 @@ bool is_same_file(Descriptor const& file, fs::path const& path)
 fs::path lock_path(fs::path const& campaign_file)
 {
     return beside(campaign_file, ".lock");
+}
+
+//! What is made beside a campaign file must not reach elsewhere through a link. \throws InputError
+void refuse_links(fs::path const& campaign_file)
+{
+    std::error_code ignored;
+    for (auto const& path : {campaign_file, lock_path(campaign_file), beside(campaign_file, ".parts")})
+        if (fs::is_symlink(path, ignored))
+            throw InputError(
+                fmt::format("{}: is a symbolic link (to {}), which a session would replace or write through; "
+                            "give the path of the file itself, or remove the link",
+                            path.string(), fs::read_symlink(path, ignored).string()));
 }
 
 std::string read_owner(Descriptor const& file)
@@ -93,6 +119,7 @@ void write_owner(Descriptor const& file)
 CampaignLock::CampaignLock(fs::path const& campaign_file, Kind kind)
     : path_(lock_path(campaign_file)), kind_(kind)
 {
+    refuse_links(campaign_file);
     short const type = kind == Kind::session ? F_WRLCK : F_RDLCK;
     do {
         file_ = open_lock_file(path_, O_RDWR | O_CREAT);

@@ -32,13 +32,29 @@ function show_runs(parent) {
     const columns = run_columns();
     const body = element('tbody');
     const heads = columns.map((column) => element('th', column.text ? {class: 'text'} : {}, column.head));
-    const fill = (runs) => body.replaceChildren(...runs.map((run) => element('tr',
+    const line_of = (run) => element('tr',
         {class: run.outcome === 'finished' && is_best(run) ? 'best' : run.outcome, title: run.reason},
         ...columns.map((column) => {
             const value = column.value(run);
             const text = column.text ? String(value ?? '') : Number.isInteger(value) ? String(value) : number(value);
             return element('td', column.text ? {class: 'text'} : {}, text);
-        }))));
+        }));
+    // A browser takes minutes for tens of thousands of lines: further ones are made when they are asked for.
+    const at_a_time = 200;
+    const more = element('button', {type: 'button'}, '');
+    let shown = [], lines = 0;
+    const add = () => {
+        body.append(...shown.slice(lines, lines + at_a_time).map(line_of));
+        lines = Math.min(lines + at_a_time, shown.length);
+        more.textContent = `Show more: ${lines} of ${shown.length} runs are shown`;
+        more.hidden = lines === shown.length;
+    };
+    const fill = (runs) => {
+        body.replaceChildren();
+        [shown, lines] = [runs, 0];
+        add();
+    };
+    more.addEventListener('click', add);
     heads.forEach((head, index) => head.addEventListener('click', () => {
         const down = head.dataset.order === 'up';
         heads.forEach((other) => delete other.dataset.order);
@@ -49,11 +65,14 @@ function show_runs(parent) {
     parent.append(element('p', {class: 'note'}, (failed_runs.length > 0 ? 'Red: failed, kept out of all fits. ' : '')
         + 'Green: best point. Click on a column to sort by it.'));
     parent.append(element('div', {class: 'scroll'},
-        element('table', {class: 'sortable'}, element('thead', {}, element('tr', {}, ...heads)), body)));
+        element('table', {class: 'sortable'}, element('thead', {}, element('tr', {}, ...heads)), body), more));
 }
 
 function list_of_failures() {
-    const lines = failed_runs.map((run) => element('li', {}, element('b', {}, `Run ${run.run}, ${run.status}: `), run.reason || '–'));
+    const most = 200;
+    const lines = failed_runs.slice(0, most).map((run) => element('li', {}, element('b', {}, `Run ${run.run}, ${run.status}: `), run.reason || '–'));
+    if (failed_runs.length > most)
+        lines.push(element('li', {}, `and ${failed_runs.length - most} more: see the table`));
     const list = element('ul', {class: 'failures'}, ...lines);
     return failed_runs.length <= 8 ? list
         : element('details', {}, element('summary', {}, `Why ${failed_runs.length} runs failed`), list);

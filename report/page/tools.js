@@ -1,6 +1,9 @@
 // Small things that all parts of the page use.
 
 const campaign = JSON.parse(document.getElementById('document').textContent);
+// Runs come as rows under one list of keys.
+for (const wave of campaign.waves)
+    wave.runs = wave.runs.rows.map((row) => Object.fromEntries(wave.runs.keys.map((key, place) => [key, row[place]])));
 
 const colours = {
     ink: '#1d2733', soft: '#5d6b7a', line: '#dde3ea', accent: '#1f5fa8', best: '#c2412d', band: '#2f7d4f', failed: '#d9534a',

@@ -88,10 +88,9 @@ NextStep screening_wave(Campaign const& campaign)
     return wave(WavePurpose::screening, points);
 }
 
-NextStep design_wave(Campaign const& campaign, Assessment const& assessment, Budget const& budget)
+NextStep design_wave(Campaign const& campaign, UnitCube const& cube, Budget const& budget)
 {
     auto const& input = campaign.input;
-    auto const& cube = assessment.cube();
     auto const design = cube.whole_points(
         make_design(input.design, cube.space().factors(), cube.space().constraints(), input.seed));
     std::vector<std::vector<double>> points;
@@ -219,6 +218,14 @@ std::string nothing_left(Campaign const& campaign, Assessment const& assessment)
 
 } // namespace
 
+NextStep first_wave(ensemble::CampaignInput const& input)
+{
+    Campaign const campaign{input, {}, {}};
+    if (has_screening(input))
+        return screening_wave(campaign);
+    return design_wave(campaign, UnitCube(input.factors, input.constraints), Budget(campaign));
+}
+
 //! A single run of a packing scatters, and the best of many runs is a lucky one. So a campaign ends only when
 //! its best location has been repeated with fresh packings and is still the best: every repetition enters the
 //! mean of its location, and whichever location is best then is repeated in turn.
@@ -229,7 +236,7 @@ NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment,
     if (campaign.waves.empty() && has_screening(campaign.input))
         return screening_wave(campaign);
     if (waves_of(campaign, WavePurpose::design) == 0)
-        return design_wave(campaign, assessment, budget);
+        return design_wave(campaign, assessment.cube(), budget);
     if (assessment.objective().size() == 0)
         return {NextStep::Kind::finish,
                 {},

@@ -22,6 +22,8 @@ struct NextStep
     std::string reason;                                            //!< why it ends
 };
 
+//! The first wave of a new campaign: its screening, or else its design.
+NextStep first_wave(ensemble::CampaignInput const& input);
 //! Decides by the campaign's content and seed alone, never by the number of ranks. `assessment` is the
 //! campaign's.
 //! \param analysis arrays of the last wave, where they are not stored with it yet

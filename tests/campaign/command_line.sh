@@ -12,6 +12,8 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 "$demens" new impact.toml >new.txt
 grep -q '5 points, 5 runs' new.txt
+# The design is in the file before anything is simulated.
+"$demens" status impact.h5 | grep -q '^0 *design *5 *0'
 mpirun --oversubscribe -n 2 "$demens" impact.h5 >run.txt
 
 # The rebound was calculated for a friction coefficient of 0.2.

@@ -3,6 +3,7 @@ import os
 import re
 import subprocess
 import sys
+import zlib
 
 driver, mpirun, document = sys.argv[1:4]
 try:
@@ -29,7 +30,7 @@ def texts_of(item, attribute):
 
 
 with h5py.File("campaign.h5") as file:
-    assert text_of(file, "format") == "demens campaign" and file.attrs["format_version"] == 1
+    assert text_of(file, "format") == "demens campaign" and file.attrs["format_version"] == 2
     assert re.fullmatch(r"[0-9a-f]{40}(-dirty)?|unknown", text_of(file, "git_commit")), text_of(file, "git_commit")
     assert text_of(file, "ended") == "as many waves as asked for"
     assert file["input/toml"].asstr()[()].startswith("[campaign]\nname = \"formula\"")
@@ -38,6 +39,14 @@ with h5py.File("campaign.h5") as file:
     assert list(file["targets/value"]) == [1.5, 0.5] and list(file["targets/units"].asstr()) == ["m", "1"]
     assert numpy.isnan(file["targets/sd"][0]) and file["targets/sd"][1] == 0.1
 
+    def check_sum(name, item):
+        if isinstance(item, h5py.Dataset):
+            numbers = numpy.zeros(item.shape, item.dtype)
+            if item.size:
+                item.id.read(h5py.h5s.ALL, h5py.h5s.ALL, numbers)
+            assert zlib.crc32(numbers.tobytes()) == item.attrs["crc32"], name
+
+    file.visititems(check_sum)
     checked = 0
     for number in (0, 1):
         wave, runs = file[f"waves/{number:04}"], file[f"waves/{number:04}/runs"]

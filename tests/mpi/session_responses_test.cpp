@@ -176,7 +176,7 @@ TEST_F(SessionTest, AnalysisAndEndAreKept)
         session.run_wave();
         session.store_analysis({{"optimum/wmse", {1}, {0.25}, "1", "first"}});
         session.store_analysis({{"optimum/wmse", {1}, {0.125}, "1", "second"},
-                                {"surrogate/slices", {2, 3}, {1, 2, 3, 4, 5, 6}, "mixed", "a table"}});
+                                {"surrogate/table", {2, 3}, {1, 2, 3, 4, 5, 6}, "mixed", "a table"}});
         EXPECT_EQ(session.campaign().waves[0].analysis.size(), 2u); // on all ranks
         session.end("all targets are met");
         EXPECT_EQ(session.campaign().ended, "all targets are met");

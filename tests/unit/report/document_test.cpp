@@ -220,6 +220,13 @@ TEST(Page, no_text_of_the_campaign_can_break_out_of_it)
     EXPECT_EQ(closings, 3u);
 }
 
+TEST(Page, a_name_that_is_a_mark_of_the_template_stays_a_name)
+{
+    auto const page = page_of(sample_document(), "{{document}}");
+    EXPECT_NE(page.find("<title>{{document}}</title>"), std::string::npos);
+    EXPECT_NE(page.find("\"rows\":[["), std::string::npos);
+}
+
 TEST(Page, refers_to_nothing_outside_itself)
 {
     auto const page = page_of(sample_document(), "title");

@@ -80,9 +80,9 @@ TEST(CampaignFile, RefusesWhatIsNoCampaign)
               "text.h5: not a campaign file, since it is not HDF5; a campaign file is made by: "
               "demens new FILE.toml");
     {
-        auto const other = hdf5::create_in_memory();
+        auto other = hdf5::create_in_memory();
         hdf5::write_text(other, "/greeting", "hello");
-        write_durably("other.h5", hdf5::image_of(other));
+        write_durably("other.h5", other.take_image());
     }
     EXPECT_NE(refusal("other.h5").find("other.h5: an HDF5 file but not a campaign"), std::string::npos)
         << refusal("other.h5");
@@ -92,11 +92,11 @@ TEST(CampaignFile, RefusesANewerFormat)
 {
     create("newer.h5");
     auto file = hdf5::open_to_write("newer.h5");
-    hdf5::set_attribute(file, "/", "format_version", std::int64_t{2});
+    hdf5::set_attribute(file, "/", "format_version", std::int64_t{3});
     hdf5::set_attribute(file, "/", "program_version", "9.0.0");
-    hdf5::close(file);
+    file.close();
     EXPECT_EQ(refusal("newer.h5"),
-              "newer.h5: campaign format 2 is newer than this program, which reads up to format 1; "
+              "newer.h5: campaign format 3 is newer than this program, which reads up to format 2; "
               "use the demens that wrote it (version 9.0.0) or a later one");
 }
 

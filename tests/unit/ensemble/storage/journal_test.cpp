@@ -37,7 +37,7 @@ TEST_F(JournalTest, CountsDeathsByWhatWasWritten)
     {
         Journal journal(folder_, "rank-0000");
         journal.start(1, Journal::Company::others);
-        journal.end(1, 0xabcd1234u);
+        journal.end(1, 0xabcd1234u, 5);
         journal.start(2, Journal::Company::others); // killed
     }
     {
@@ -54,6 +54,7 @@ TEST_F(JournalTest, CountsDeathsByWhatWasWritten)
     }
     auto histories = read_journals(folder_);
     EXPECT_EQ(histories[1].shard_crcs, std::vector<std::uint32_t>{0xabcd1234u});
+    EXPECT_EQ(histories[1].status, 5);
     EXPECT_EQ(histories[1].deaths, 0);
     EXPECT_EQ(histories[2].deaths, 2);
     EXPECT_TRUE(histories[2].open);
@@ -65,15 +66,28 @@ TEST_F(JournalTest, CountsDeathsByWhatWasWritten)
     EXPECT_EQ(histories[4].deaths, 0);
 }
 
+TEST_F(JournalTest, DoesNotBlameARunWhoseProcessWasAskedToEnd)
+{
+    for (int session = 0; session < 5; ++session) {
+        Journal journal(folder_, "rank-0000");
+        journal.start(1, Journal::Company::alone);
+        std::ofstream(folder_ / "journal-rank-0000", std::ios::app) << journal.stop_line(1); // then killed
+    }
+    auto histories = read_journals(folder_);
+    EXPECT_EQ(histories[1].deaths, 0);
+    EXPECT_EQ(histories[1].deaths_alone, 0);
+    EXPECT_TRUE(histories[1].open);
+}
+
 TEST_F(JournalTest, DamagedLinesAreAsIfTheyWereNotThere)
 {
     auto const file = folder_ / "journal-rank-0000";
     {
         Journal journal(folder_, "rank-0000");
         journal.start(1, Journal::Company::others);
-        journal.end(1, 7);
+        journal.end(1, 7, 1);
         journal.start(2, Journal::Company::others);
-        journal.end(2, 8);
+        journal.end(2, 8, 1);
     }
     // Cut at every length: no cut makes a line that was not written, and the next line is whole again.
     auto const whole = read_bytes(file);

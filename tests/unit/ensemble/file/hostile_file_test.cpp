@@ -1,0 +1,209 @@
+// Campaign files from others: damaged in a bit, or made to reach outside.
+#include "demens/base/error.hpp"
+#include "ensemble/file/campaign_file.hpp"
+#include "ensemble/file/run_tables.hpp"
+#include "ensemble/run/execute.hpp"
+#include "ensemble/session.hpp"
+#include "ensemble/storage/durable.hpp"
+#include "tests/mpi/formula_rig.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace demens;
+using namespace demens::ensemble;
+using namespace demens::test;
+using ::testing::HasSubstr;
+
+namespace {
+
+//! A campaign with one wave whose runs are finished.
+void create(std::string const& file)
+{
+    std::filesystem::remove(file);
+    create_campaign_file(file, CampaignInput::from_text(formula_campaign(), "test", formula_rigs()));
+    auto campaign = read_campaign_file(file, formula_rigs());
+    auto wave = plan_runs(campaign, WavePurpose::design, {{0.1, 0.2}, {0.3, 0.4}});
+    std::vector<RunDetails> details;
+    for (auto& run : wave.runs) {
+        auto finished = execute(campaign.input, run, {});
+        run = finished.record;
+        details.push_back(finished.details);
+    }
+    update_file(file, 1 << 20, [&](hid_t opened) {
+        RowWriter writer(opened);
+        write_plan(writer, wave, campaign.input);
+        write_results(writer, wave, campaign.input);
+        write_details(writer, 0, wave.runs, details, campaign.input);
+        write_analysis(opened, 0, {{"optimum/best_point", {2}, {0.1, 0.2}, "mixed", "best"}});
+    });
+}
+
+std::string refusal(std::string const& file)
+{
+    try {
+        read_campaign_file(file, formula_rigs());
+        return "accepted";
+    } catch (InputError const& error) {
+        return error.what();
+    }
+}
+
+//! What is said of a campaign that was changed by HDF5's own functions.
+std::string refusal_after(std::function<void(hid_t)> const& change)
+{
+    create("changed.h5");
+    auto file = hdf5::open_to_write("changed.h5");
+    change(file);
+    file.close();
+    return refusal("changed.h5");
+}
+
+//! A dataset takes the place of another, with a right check sum.
+template <class T>
+std::string refusal_with(std::string const& path, std::vector<std::size_t> const& shape,
+                         std::vector<T> const& data)
+{
+    return refusal_after([&](hid_t file) {
+        H5Ldelete(file, path.c_str(), H5P_DEFAULT);
+        hdf5::write<T>(file, path, shape, data, {{"1"}, {}, "changed"});
+    });
+}
+
+std::vector<std::string> datasets_below(hid_t file, std::string const& group)
+{
+    std::vector<std::string> paths;
+    for (auto const& name : hdf5::children(file, group)) {
+        auto const path = (group == "/" ? "" : group) + "/" + name;
+        hdf5::Object const object(H5Oopen(file, path.c_str(), H5P_DEFAULT), path);
+        if (H5Iget_type(object) == H5I_GROUP) {
+            auto const below = datasets_below(file, path);
+            paths.insert(paths.end(), below.begin(), below.end());
+        } else
+            paths.push_back(path);
+    }
+    return paths;
+}
+
+} // namespace
+
+TEST(DamagedFile, AFlippedBitInAnyDatasetIsRefusedByName)
+{
+    create("whole.h5");
+    ASSERT_EQ(refusal("whole.h5"), "accepted");
+    auto const image = read_bytes("whole.h5");
+    int flipped = 0;
+    auto const file = hdf5::open_to_read("whole.h5");
+    for (auto const& path : datasets_below(file, "/")) {
+        hdf5::Dataset const dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT), path);
+        auto const size = H5Dget_storage_size(dataset);
+        auto const place = H5Dget_offset(dataset);
+        for (int k = 0; size > 0 && k < 4; ++k) { // spread over its bytes and bits
+            auto damaged = image;
+            damaged.at(place + (size - 1) * static_cast<std::size_t>(k) / 3) ^= std::byte(1 << (k * 5 % 8));
+            write_durably("flipped.h5", damaged);
+            EXPECT_THAT(refusal("flipped.h5"), HasSubstr(path + " is damaged")) << path;
+            ++flipped;
+        }
+    }
+    EXPECT_GE(flipped, 100);
+}
+
+TEST(DamagedFile, AFlippedBitAnywhereDoesNoHarm)
+{
+    create("whole.h5");
+    auto const image = read_bytes("whole.h5");
+    int refused = 0;
+    int constexpr places = 300;
+    for (std::size_t k = 0; k < places; ++k) {
+        auto damaged = image;
+        damaged.at(image.size() * k / places) ^= std::byte(1 << (k % 8));
+        write_durably("flipped.h5", damaged);
+        refused += refusal("flipped.h5") != "accepted";
+    }
+    EXPECT_GE(refused, places / 2); // the others lie where nothing is stored
+}
+
+TEST(HostileFile, LinksThatLeadElsewhereAreRefused)
+{
+    auto const outside = [](hid_t file) {
+        H5Ldelete(file, "/targets/value", H5P_DEFAULT);
+        H5Lcreate_external("/etc/other.h5", "/value", file, "/targets/value", H5P_DEFAULT, H5P_DEFAULT);
+    };
+    EXPECT_THAT(refusal_after(outside), HasSubstr("/targets, where a link leads out of the file"));
+    auto const soft = [](hid_t file) {
+        H5Lcreate_soft("/waves", file, "/waves/0001", H5P_DEFAULT, H5P_DEFAULT);
+    };
+    EXPECT_THAT(refusal_after(soft), HasSubstr("/waves, where a link leads out of the file"));
+    auto const cycle = [](hid_t file) {
+        H5Lcreate_hard(file, "/waves", file, "/waves/0000/again", H5P_DEFAULT, H5P_DEFAULT);
+    };
+    EXPECT_THAT(refusal_after(cycle), HasSubstr("/waves/0000/again is in the file in two ways"));
+}
+
+TEST(HostileFile, NumbersInOtherFilesAreRefused)
+{
+    auto const external = [](hid_t file) {
+        H5Ldelete(file, "/targets/value", H5P_DEFAULT);
+        hsize_t const size = 2;
+        hdf5::Space const space(H5Screate_simple(1, &size, nullptr), "space");
+        hdf5::Properties const creation(H5Pcreate(H5P_DATASET_CREATE), "properties");
+        H5Pset_external(creation, "secret.bin", 0, 16);
+        hdf5::Dataset const dataset(
+            H5Dcreate2(file, "/targets/value", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+            "");
+    };
+    EXPECT_THAT(refusal_after(external), HasSubstr("/targets/value lies in other files"));
+    auto const chunked = [](hid_t file) {
+        hsize_t const size = 2;
+        hdf5::Space const space(H5Screate_simple(1, &size, nullptr), "space");
+        hdf5::Properties const creation(H5Pcreate(H5P_DATASET_CREATE), "properties");
+        H5Pset_chunk(creation, 1, &size);
+        hdf5::Dataset const dataset(
+            H5Dcreate2(file, "/targets/more", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+            "");
+    };
+    EXPECT_THAT(refusal_after(chunked), HasSubstr("/targets/more is stored in chunks"));
+}
+
+TEST(HostileFile, ShapesThatDoNotFitAreRefused)
+{
+    auto const wave = std::string("/waves/0000/");
+    EXPECT_THAT(refusal_with<double>(wave + "responses/slow", {1, 2}, {1, 2}),
+                HasSubstr("/waves/0000/responses/slow has 1 x 2 entries instead of"));
+    EXPECT_THAT(refusal_with<int>(wave + "runs/status", {1}, {1}), HasSubstr("runs/status has 1 entries"));
+    EXPECT_THAT(refusal_with<double>(wave + "runs/status", {1}, {1}),
+                HasSubstr("does not hold whole numbers"));
+    EXPECT_THAT(refusal_with<double>(wave + "optimum/best_point", {1}, {1}),
+                HasSubstr("optimum/best_point has 1 entries instead of 2"));
+    auto const list = [](hid_t file) {
+        hsize_t const size = 1000;
+        hdf5::Space const space(H5Screate_simple(1, &size, nullptr), "space");
+        H5Adelete(file, "format_version");
+        hdf5::Attribute const attribute(
+            H5Acreate2(file, "format_version", H5T_NATIVE_INT64, space, H5P_DEFAULT, H5P_DEFAULT),
+            "attribute");
+    };
+    EXPECT_THAT(refusal_after(list), HasSubstr("the attribute format_version of / is not one number"));
+}
+
+TEST(HostileFile, ASessionDoesNotWorkThroughLinks)
+{
+    create("target.h5");
+    std::filesystem::remove("link.h5");
+    std::filesystem::create_symlink("target.h5", "link.h5");
+    auto const input = CampaignInput::from_text(formula_campaign(), "test", formula_rigs());
+    for (auto const& name : {"behind.h5.lock", "behind.h5.parts"}) {
+        std::filesystem::remove_all("behind.h5.lock");
+        std::filesystem::remove_all("behind.h5.parts");
+        std::filesystem::create_symlink("target.h5", name);
+        EXPECT_THROW(create_campaign_file("behind.h5", input), InputError) << name;
+        std::filesystem::remove(name);
+    }
+    auto const before = read_bytes("target.h5");
+    std::filesystem::create_symlink("target.h5", "copied.h5.new");
+    create("copied.h5"); // its copy on the way is made anew
+    EXPECT_EQ(read_bytes("target.h5"), before);
+}
