@@ -20,6 +20,7 @@ enum class Health
     not_a_number,
     escaped,
     overlapping,
+    leaping,   //!< a particle has moved by more than its radius in one step
     unbalanced //!< the energy ledger does not close
 };
 

@@ -19,7 +19,7 @@ struct NearTriangle
 //! moves from triangle to triangle.
 struct MeshPatch
 {
-    static constexpr std::uint32_t most_contacts = 4;
+    static constexpr std::uint32_t few_contacts = 4; //!< that any patch has room for
     static constexpr float always = -1;
 
     std::uint32_t first_slot, slots;         //!< its places in the contact list
@@ -74,6 +74,12 @@ struct ContactList
 
     std::vector<MeshPatch> patches{};           //!< walls that are meshes, in the order of their slots
     std::vector<NearTriangle> near_triangles{}; //!< of all patches
+    bool wants_slots = false; //!< a patch has more contacts than slots: the list is to be made anew
+
+    //! Walls that are no meshes: slots of one particle with several walls that may join, all of them
+    //! together.
+    std::vector<std::uint32_t> joined{};
+    std::vector<std::uint32_t> joined_end{}; //!< where the slots of each particle end among them
 
     std::size_t size() const { return first.size(); }
     void clear()
@@ -86,6 +92,9 @@ struct ContactList
         offset.clear();
         patches.clear();
         near_triangles.clear();
+        wants_slots = false;
+        joined.clear();
+        joined_end.clear();
     }
     //! Whether all columns have the length that they should.
     bool is_whole() const

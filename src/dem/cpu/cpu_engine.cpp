@@ -133,8 +133,12 @@ void CpuEngine::move_bodies()
 {
     double const dt = params_->options.time_step;
     double const kick = state_.steps_done == 0 ? 0.5 * dt : dt;
-    double const fastest =
-        partition_->largest(move_particles(state_.particles, kick, dt, params_->options.gravity));
+    Moved const moved = move_particles(state_.particles, kick, dt, params_->options.gravity);
+    state_.leaping |= moved.leaping;
+    // A list that has become too small is made anew, by all ranks, as after a skin's travel.
+    bool const is_full = std::any_of(state_.contacts.walls.begin(), state_.contacts.walls.end(),
+                                     [](ContactList const& list) { return list.wants_slots; });
+    double const fastest = partition_->largest(moved.fastest + (is_full ? params_->options.skin / dt : 0.0));
     double const fastest_wall = state_.walls.advance(time(), dt);
     state_.lists.travelled += dt * std::max(fastest, 0.5 * (fastest + fastest_wall));
 }

@@ -15,11 +15,14 @@ Health CpuEngine::health()
     for (std::size_t i = 0; i < particles.owned(); ++i)
         sum += particles.place[i].x + particles.place[i].y + particles.place[i].z + particles.load[i].fx +
                particles.load[i].tx;
+    bool const leaping = partition_->largest(std::exchange(state_.leaping, false) ? 1.0 : 0.0) > 0;
     bool const overlapping = partition_->largest(std::exchange(state_.overlapping, false) ? 1.0 : 0.0) > 0;
     if (partition_->largest(std::isfinite(sum) ? 0.0 : 1.0) > 0)
         return Health::not_a_number;
     if (state_.left_domain)
         return Health::escaped;
+    if (leaping)
+        return Health::leaping;
     if (overlapping)
         return Health::overlapping;
     SimulationOptions const& options = params_->options;

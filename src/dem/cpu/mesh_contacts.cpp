@@ -3,7 +3,6 @@
 #include "demens/base/contract.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace demens::dem {
@@ -104,7 +103,7 @@ std::span<Vector3 const> MeshContactFinder::find(shape::TriangleMesh const& mesh
     offsets_.clear();
     accepted_.clear();
     double const negligible = 1e-9 * sphere.radius;
-    for (std::size_t k = 0; k < candidates_.size() && accepted_.size() < MeshPatch::most_contacts; ++k) {
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
         Candidate const& c = candidates_[k];
         double depth = sphere.radius - c.distance;
         if (k > 0) {
@@ -125,11 +124,19 @@ std::span<Vector3 const> MeshContactFinder::find(shape::TriangleMesh const& mesh
     return offsets_;
 }
 
-void assign_slots(ContactList& list, MeshPatch const& patch, std::span<Vector3 const> contacts)
+void SlotAssignment::assign(ContactList& list, MeshPatch const& patch, std::span<Vector3 const> contacts,
+                            double reach)
 {
-    std::array<Vector3, MeshPatch::most_contacts> offset;
-    offset.fill(out_of_reach);
-    std::array<bool, MeshPatch::most_contacts> taken{}, placed{};
+    DEMENS_EXPECT(contacts.size() <= patch.slots, "a contact needs a slot");
+    auto& offset = offset_;
+    auto& taken = taken_;
+    auto& placed = placed_;
+    offset.resize(patch.slots);
+    for (std::uint32_t s = 0; s < patch.slots; ++s)
+        offset[s] = list.touching[patch.first_slot + s] ? parted(list.offset[patch.first_slot + s], reach)
+                                                        : out_of_reach;
+    taken.assign(patch.slots, 0);
+    placed.assign(contacts.size(), 0);
     for (std::size_t c = 0; c < contacts.size(); ++c) {
         double best = like_normals;
         std::uint32_t best_slot = patch.slots;
@@ -146,7 +153,7 @@ void assign_slots(ContactList& list, MeshPatch const& patch, std::span<Vector3 c
         }
         if (best_slot < patch.slots) {
             offset[best_slot] = contacts[c];
-            taken[best_slot] = placed[c] = true;
+            taken[best_slot] = placed[c] = 1;
         }
     }
     // New contacts go where there is no history, or where that of a lost contact is in the way.
@@ -163,7 +170,7 @@ void assign_slots(ContactList& list, MeshPatch const& patch, std::span<Vector3 c
                     list.touching[slot] = 0;
                 }
                 offset[s] = contacts[c];
-                taken[s] = placed[c] = true;
+                taken[s] = placed[c] = 1;
             }
     std::copy_n(offset.begin(), patch.slots, list.offset.begin() + patch.first_slot);
 }

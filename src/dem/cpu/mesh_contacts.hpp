@@ -75,8 +75,24 @@ inline bool is_like(Vector3 const& one, Vector3 const& other)
            product * product > like_normals * like_normals * norm_squared(one) * norm_squared(other);
 }
 
-//! Gives contacts their slots in a patch: a contact takes the history of the one whose normal was nearest to
-//! its own. Slots without a contact get `out_of_reach`.
-void assign_slots(ContactList& list, MeshPatch const& patch, std::span<Vector3 const> contacts);
+//! The offset of a contact that has parted: along the one it had, a little longer than `reach` [m].
+inline Vector3 parted(Vector3 const& offset, double reach)
+{
+    return ((1 + 1e-6) * reach / norm(offset)) * offset;
+}
+
+//! Gives contacts their slots in a patch.
+class SlotAssignment
+{
+  public:
+    //! A contact takes the history of the one whose normal was nearest to its own. Slots that had a contact
+    //! and have none now are `parted`, the others `out_of_reach`. There are at most as many contacts as
+    //! slots.
+    void assign(ContactList& list, MeshPatch const& patch, std::span<Vector3 const> contacts, double reach);
+
+  private:
+    std::vector<Vector3> offset_;
+    std::vector<char> taken_, placed_;
+};
 
 } // namespace demens::dem

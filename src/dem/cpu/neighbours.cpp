@@ -1,6 +1,8 @@
 #include "src/dem/cpu/neighbours.hpp"
 
 #include "demens/base/contract.hpp"
+#include "src/dem/cpu/joined_walls.hpp"
+#include "src/dem/cpu/mesh_contacts.hpp"
 #include "src/dem/cpu/wall_contacts.hpp"
 
 #include <algorithm>
@@ -123,14 +125,13 @@ void NeighbourSearch::add_contact(ContactList& list, std::uint32_t i, std::uint3
     restore_histories(list, list.size() - 1);
 }
 
-void NeighbourSearch::add_patch(ContactList& list, std::uint32_t i, std::uint32_t wall,
+void NeighbourSearch::add_patch(ContactList& list, std::uint32_t i, std::uint32_t wall, std::uint32_t slots,
                                 std::span<NearTriangle const> triangles)
 {
     auto const slot = static_cast<std::uint32_t>(list.size());
     auto const count = static_cast<std::uint32_t>(triangles.size());
-    list.patches.push_back({slot, std::min(count, MeshPatch::most_contacts),
-                            static_cast<std::uint32_t>(list.near_triangles.size()), count,
-                            MeshPatch::always});
+    list.patches.push_back(
+        {slot, slots, static_cast<std::uint32_t>(list.near_triangles.size()), count, MeshPatch::always});
     list.near_triangles.insert(list.near_triangles.end(), triangles.begin(), triangles.end());
     for (std::uint32_t k = 0; k < list.patches.back().slots; ++k)
         list.add(i, wall);
@@ -249,6 +250,24 @@ void NeighbourSearch::find_ghost_pairs(Particles const& particles, CellGrid cons
     }
 }
 
+namespace {
+
+//! Contacts that a particle may have with a mesh within a skin of its place: few, or, in the tip of a hollow,
+//! many.
+std::uint32_t most_contacts(Mesh const& wall, Place const& p, double skin,
+                            std::span<NearTriangle const> triangles)
+{
+    if (triangles.size() <= MeshPatch::few_contacts)
+        return static_cast<std::uint32_t>(triangles.size());
+    std::vector<NearTriangle> near(triangles.begin(), triangles.end()); // what is due when stays as it is
+    MeshContactFinder finder;
+    auto const found = finder.find(*wall.mesh, near, 0,
+                                   {wall.placement.inverse({p.x, p.y, p.z}), p.radius, p.radius + skin});
+    return std::max(MeshPatch::few_contacts, static_cast<std::uint32_t>(found.size()));
+}
+
+} // namespace
+
 void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector<Wall> const& walls,
                                          double skin, std::vector<ContactList>& lists)
 {
@@ -261,14 +280,19 @@ void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector
         for (std::size_t k = 0; k < found.particles.size(); ++k) {
             std::uint32_t const i = found.particles[k];
             auto& list = lists[interaction_[particles.material[i] * materials_ + wall.material]];
-            if (is_mesh)
+            if (is_mesh) {
+                std::span const triangles(found.near_triangles.data() + found.triangle_start[k],
+                                          found.triangle_start[k + 1] - found.triangle_start[k]);
                 add_patch(list, i, w,
-                          {found.near_triangles.data() + found.triangle_start[k],
-                           found.triangle_start[k + 1] - found.triangle_start[k]});
-            else
+                          most_contacts(std::get<Mesh>(wall.shape), particles.place[i], skin, triangles),
+                          triangles);
+            } else {
                 add_contact(list, i, w);
+            }
         }
     }
+    for (ContactList& list : lists)
+        find_joined(list, particles.place, walls);
 }
 
 } // namespace demens::dem

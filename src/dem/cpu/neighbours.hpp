@@ -74,7 +74,7 @@ class NeighbourSearch
     //! Adds a contact, with the history it had if it was touching.
     void add_contact(ContactList& list, std::uint32_t i, std::uint32_t j);
     //! Adds a particle near a mesh, with the histories of its contacts.
-    void add_patch(ContactList& list, std::uint32_t i, std::uint32_t wall,
+    void add_patch(ContactList& list, std::uint32_t i, std::uint32_t wall, std::uint32_t slots,
                    std::span<NearTriangle const> triangles);
     //! Gives the slots from `slot` on, which are of one pair, the histories that it had.
     void restore_histories(ContactList& list, std::size_t slot);

@@ -35,6 +35,7 @@ struct State
     std::uint32_t particles_added = 0; //!< by all processes
     std::int64_t steps_done = 0;
     bool left_domain = false;
+    bool leaping = false;     //!< a particle has moved by more than its radius in a step since the last check
     bool overlapping = false; //!< an overlap was beyond the limit since the last check
 };
 

@@ -155,7 +155,8 @@ void visit_columns(Record& record, List& list)
     record(name + "/candidates", list.candidates);
     record(name + "/first", list.first), record(name + "/second", list.second);
     record(name + "/touching", list.touching), record(name + "/state", list.state);
-    record(name + "/offset", list.offset);
+    record(name + "/offset", list.offset), record(name + "/wants_slots", list.wants_slots);
+    record(name + "/joined", list.joined), record(name + "/joined_end", list.joined_end);
 }
 
 void write_list(RecordWriter& write, ContactList const& list)
@@ -224,6 +225,7 @@ void visit_plain(Record& record, StateType& state)
     record("lists/reach_of_contacts", lists.reach.contacts);
     record("clock/steps_done", state.steps_done), record("clock/particles_added", state.particles_added);
     record("health/left_domain", state.left_domain), record("health/overlapping", state.overlapping);
+    record("health/leaping", state.leaping);
     auto& tally = state.tally;
     record("ledger/loads_before", tally.loads_before), record("ledger/work_of_walls", tally.work_of_walls);
     record("ledger/brought_in", tally.brought_in), record("ledger/turned_over", tally.turned_over);
@@ -267,6 +269,16 @@ void check_patches(ContactList const& list, std::vector<Wall> const& walls)
                            list.near_triangles[p.first_triangle + t].triangle < mesh->mesh->facets().size(),
                        "a contact names a triangle that is not there");
     }
+}
+
+void check_joined(ContactList const& list)
+{
+    for (std::uint32_t const slot : list.joined)
+        expect_fit(slot < list.size(), "walls that join name a contact that is not there");
+    std::uint32_t before = 0;
+    for (std::uint32_t const end : list.joined_end)
+        expect_fit(end > std::exchange(before, end) && end <= list.joined.size(),
+                   "walls that join are not in order");
 }
 
 } // namespace
@@ -328,6 +340,7 @@ void check_contacts(State const& state, std::size_t particles)
         for (auto const& [first, second] : list.candidates)
             expect_fit(first < particles && second < particles, "a pair names a particle that is not there");
         check_patches(list, walls);
+        check_joined(list);
     });
 }
 

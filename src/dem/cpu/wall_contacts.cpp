@@ -1,23 +1,15 @@
 #include "src/dem/cpu/wall_contacts.hpp"
 
+#include "src/dem/cpu/joined_walls.hpp"
 #include "src/dem/cpu/mesh_contacts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
 namespace demens::dem {
 namespace {
-
-//! From the shape's nearest point to p; where p lies on the shape, a short way along its normal.
-template <class Shape>
-DEMENS_INLINE Vector3 offset_from(Shape const& shape, Vector3 const& p, double radius)
-{
-    Vector3 const offset = p - nearest(shape, p);
-    return norm_squared(offset) > 0 ? offset : 1e-9 * radius * normal(shape, p);
-}
 
 //! Sorts out which slots touch, by their offsets, and which have parted.
 struct SlotSorter
@@ -39,12 +31,18 @@ struct SlotSorter
     }
 };
 
+//! `joined`: the slots whose offsets are known already; moves on past them.
 template <class Shape>
-void test_slots(Shape const& shape, SlotSorter& sort, Slots slots)
+void test_slots(Shape const& shape, SlotSorter& sort, Slots slots, std::span<JoinedContact const>& joined)
 {
     for (std::size_t s = slots.from; s < slots.to; ++s) {
         Place const& p = sort.places[sort.list.first[s]];
-        sort.list.offset[s] = offset_from(shape, {p.x, p.y, p.z}, p.radius);
+        if (!joined.empty() && joined.front().slot == s) {
+            sort.list.offset[s] = joined.front().offset;
+            joined = joined.subspan(1);
+        } else {
+            sort.list.offset[s] = offset_from(shape, {p.x, p.y, p.z}, p.radius);
+        }
         sort(s);
     }
 }
@@ -89,7 +87,7 @@ class PatchTester
         bool const all = !(p.later_due > 0.5 * (p.path + gap_));
         std::span const triangles = all ? near(p) : near(p).first(p.soon);
         auto const [count, offset] = finder_.look(*wall_.mesh, triangles, 0.5 * p.path, sphere);
-        if (first_look || count > 1 || !go_on(p, offset, count == 1))
+        if (first_look || count > 1 || !go_on(p, offset, count == 1, sphere.reach))
             find_contacts(p, triangles, sphere);
         if (all)
             put_soon_first(p, 0.5 * (p.path + gap_) + 0.01 * sphere.radius);
@@ -128,16 +126,19 @@ class PatchTester
                        MeshContactFinder::Sphere const& sphere)
     {
         auto const contacts = finder_.find(*wall_.mesh, triangles, 0.5 * p.path, sphere);
-        std::array<Vector3, MeshPatch::most_contacts> offsets;
-        std::transform(contacts.begin(), contacts.end(), offsets.begin(),
+        std::size_t const count = std::min<std::size_t>(contacts.size(), p.slots);
+        list_.wants_slots |= count < contacts.size(); // until then the deepest count
+        offsets_.resize(count);
+        std::transform(contacts.begin(), contacts.begin() + static_cast<std::ptrdiff_t>(count),
+                       offsets_.begin(),
                        [&](Vector3 const& offset) { return wall_.placement.rotation(offset); });
-        assign_slots(list_, p, {offsets.data(), contacts.size()});
+        assignment_.assign(list_, p, offsets_, sphere.reach);
         for (std::uint32_t s = 0; s < p.slots; ++s)
             sort_(p.first_slot + s);
     }
 
     //! Lets the only contact go on in its slot, or end; false where that is not all that happens.
-    bool go_on(MeshPatch const& p, Vector3 const& offset_in_mesh, bool touches)
+    bool go_on(MeshPatch const& p, Vector3 const& offset_in_mesh, bool touches, double reach)
     {
         std::uint32_t const end = p.first_slot + p.slots;
         std::uint32_t slot = end, touching = 0;
@@ -148,7 +149,8 @@ class PatchTester
             }
         if (touching == 0)
             return !touches;
-        Vector3 const offset = touches ? wall_.placement.rotation(offset_in_mesh) : out_of_reach;
+        Vector3 const offset =
+            touches ? wall_.placement.rotation(offset_in_mesh) : parted(list_.offset[slot], reach);
         if (touching > 1 || (touches && !is_like(offset, list_.offset[slot])))
             return false;
         list_.offset[slot] = offset;
@@ -161,6 +163,8 @@ class PatchTester
     ContactList& list_;
     double travelled_, gap_;
     MeshContactFinder finder_;
+    SlotAssignment assignment_;
+    std::vector<Vector3> offsets_;
 };
 
 //! Tests the patches whose slots are among those of a mesh and that are due, from `patch` on; moves on past
@@ -215,6 +219,8 @@ std::pair<std::size_t, std::size_t> test_wall_contacts(ContactList& list, Partic
     std::size_t const count = list.size();
     std::size_t patch = 0;
     SlotSorter sort{list, particles.place.data(), range, now, parted};
+    std::vector<JoinedContact> const all_joined = join_contacts(list, particles.place, walls, range);
+    std::span<JoinedContact const> joined = all_joined;
     for (Slots slots{0, 0}; slots.from < count; slots.from = slots.to) {
         while (slots.to < count && list.second[slots.to] == list.second[slots.from])
             ++slots.to;
@@ -223,7 +229,7 @@ std::pair<std::size_t, std::size_t> test_wall_contacts(ContactList& list, Partic
                 if constexpr (std::is_same_v<Shape, Mesh>)
                     test_patches(shape, sort, slots, travelled, patch);
                 else
-                    test_slots(shape, sort, slots);
+                    test_slots(shape, sort, slots, joined);
             },
             walls[list.second[slots.from]].shape);
     }

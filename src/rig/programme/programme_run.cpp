@@ -220,6 +220,12 @@ void ProgrammeRun::check_health()
         throw RunFailure(RunStatus::overlapping,
                          fmt::format("two bodies overlap by more than {:.0f} % of the smaller radius {}",
                                      100 * simulation.options().overlap_limit, moment()));
+    case dem::Health::leaping:
+        throw RunFailure(
+            RunStatus::overlapping,
+            fmt::format("a particle moved by more than its radius in one step {}; it may have passed "
+                        "through other bodies: a smaller time step is needed",
+                        moment()));
     case dem::Health::unbalanced:
         throw RunFailure(RunStatus::unbalanced,
                          fmt::format("the energy ledger misses {:.2g} % of the energy turned over, more than "
