@@ -14,6 +14,8 @@ std::vector<std::string> const rolling_names = {"none", "constant_torque", "visc
 std::vector<std::string> const cohesion_names = {"none", "linear_cohesion", "sjkr2", "van_der_waals", "dmt",
                                                  "jkr",  "capillary"};
 
+std::vector<std::string> const friction_limit_names = {"elastic", "whole"};
+
 template <class Law>
 Law law_of(std::vector<std::string> const& names, std::string const& name)
 {
@@ -153,6 +155,12 @@ std::vector<OptionSpec> const& pair_options()
          .doc = "contact angle of the liquid, `capillary` [deg]",
          .lower = 0.0,
          .upper = 90.0},
+        {.key = "friction_limit",
+         .default_value = std::string("elastic"),
+         .doc =
+             "normal force of `hertz` that limits friction and rolling: `elastic`, without the damping, or "
+             "`whole`, with it",
+         .choices = friction_limit_names},
         {.key = "cohesion_in_limit",
          .default_value = false,
          .doc =
@@ -191,6 +199,7 @@ PairProperties make_pair(std::string first, std::string second, OptionValues con
     pair.surface_tension = needed(values, "surface_tension");
     pair.bridge_volume = needed(values, "bridge_volume");
     pair.contact_angle_deg = values.number("contact_angle_deg");
+    pair.friction_limit = law_of<FrictionLimit>(friction_limit_names, values.text("friction_limit"));
     pair.cohesion_in_limit = values.flag("cohesion_in_limit");
     if (pair.kinetic_friction > pair.static_friction)
         throw InputError(

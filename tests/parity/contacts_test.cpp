@@ -13,7 +13,8 @@ using namespace demens;
 using namespace demens::parity;
 
 //! Coefficients for all laws, and one law of each kind.
-contact::PairProperties properties(std::array<std::string, 4> const& laws, bool cohesion_in_limit)
+contact::PairProperties properties(std::array<std::string, 4> const& laws, bool cohesion_in_limit,
+                                   std::string const& friction_limit)
 {
     auto values = defaults_of(contact::pair_options());
     for (auto const& [key, value] : {std::pair{"restitution", 0.4},
@@ -33,6 +34,7 @@ contact::PairProperties properties(std::array<std::string, 4> const& laws, bool 
     values.set("tangential", laws[2]);
     values.set("rolling", laws[3]);
     values.set("cohesion_in_limit", cohesion_in_limit);
+    values.set("friction_limit", friction_limit);
     return contact::make_pair("grain", "grain", values);
 }
 
@@ -61,7 +63,8 @@ struct Cases
                             for (bool const ledger : {false, true}) {
                                 contact::LawSet const laws(
                                     grain, grain,
-                                    properties({normal, cohesion, tangential, rolling}, ledger));
+                                    properties({normal, cohesion, tangential, rolling}, ledger,
+                                               partner == Partner::wall ? "whole" : "elastic"));
                                 names.push_back(normal + " + " + cohesion + " + " + tangential + " + " +
                                                 rolling + (partner == Partner::wall ? ", wall" : "") +
                                                 (ledger ? ", ledger" : ""));

@@ -48,6 +48,13 @@ enum class CohesionLaw
     capillary
 };
 
+//! The normal force that limits friction and rolling; with `hysteretic_spring` both are the same.
+enum class FrictionLimit
+{
+    elastic, //!< without the damping
+    whole    //!< with the damping, where it pushes
+};
+
 //! Laws and coefficients of one pair of materials.
 struct PairProperties
 {
@@ -71,7 +78,8 @@ struct PairProperties
     double surface_tension = 0;               //!< [N/m] of `capillary`
     double bridge_volume = 0;                 //!< [m^3] of `capillary`
     double contact_angle_deg = 0;             //!< [deg] of `capillary`
-    bool cohesion_in_limit = false;           //!< attraction lowers the limit of friction and rolling
+    FrictionLimit friction_limit = FrictionLimit::elastic;
+    bool cohesion_in_limit = false; //!< attraction lowers the limit of friction and rolling
 };
 
 //! The base model: all materials and all pairs that may touch.

@@ -7,14 +7,16 @@ namespace demens::contact {
 //! Two elastic spheres with viscous damping that gives a constant restitution (Hertz 1882; Tsuji et al.
 //! 1992): F_n = 4/3 E* sqrt(R*) d^(3/2) + 2 sqrt(5/6) beta sqrt(S_n m*) v_n, S_n = 2 E* sqrt(R* d). Its
 //! elastic part limits friction: over an impact that part has the impulse of the whole force, so that a
-//! sliding impact has exactly mu times the normal impulse, whatever the damping.
+//! sliding impact has exactly mu times the normal impulse, whatever the damping. On request the whole force
+//! does where it pushes, as in other codes.
 class HertzNormal : public LawTraits
 {
   public:
     HertzNormal(PairMaterial const& material, PairProperties const& pair)
         : youngs_modulus_(material.effective_youngs_modulus),
           damping_(1.8257418583505538 * material.damping * std::sqrt(2 * youngs_modulus_)),
-          lowest_(pair.allow_attraction ? -1e300 : 0.0)
+          lowest_(pair.allow_attraction ? -1e300 : 0.0),
+          limit_by_damping_(pair.friction_limit == FrictionLimit::whole ? 1.0 : 0.0)
     {
     }
 
@@ -26,13 +28,16 @@ class HertzNormal : public LawTraits
         double const viscous = damping_ * contact.damping_scale * contact.normal_velocity;
         double const total = elastic + viscous;
         double const force = total > lowest_ ? total : lowest_;
-        return {force, elastic, stiffness, force - elastic, 0.4 * elastic * contact.overlap};
+        double const pushing = force > 0 ? force : 0.0;
+        double const limit = limit_by_damping_ > 0 ? pushing : elastic;
+        return {force, limit, stiffness, force - elastic, 0.4 * elastic * contact.overlap};
     }
 
   private:
     double youngs_modulus_;
-    double damping_; //!< 2 sqrt(5/6) beta sqrt(2 E*) [Pa^(1/2)]
-    double lowest_;  //!< smallest force allowed [N]
+    double damping_;          //!< 2 sqrt(5/6) beta sqrt(2 E*) [Pa^(1/2)]
+    double lowest_;           //!< smallest force allowed [N]
+    double limit_by_damping_; //!< 1: the whole force limits friction
 };
 
 } // namespace demens::contact
