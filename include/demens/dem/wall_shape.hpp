@@ -55,8 +55,7 @@ struct Mesh
 
 using WallShape = std::variant<Rectangle, Disc, Cylinder, Cone, Mesh>;
 
-//! The six sides of a container along the axes, to be touched from inside; a box that is touched from outside
-//! is a mesh, `shape::box_triangles`.
+//! The six sides of a box along the axes, to be touched from inside or outside.
 std::array<Rectangle, 6> box_sides(Vector3 const& lower, Vector3 const& upper);
 
 //! A straight line that makes a round shape when it turns about the axis: height along the axis from the

@@ -2,6 +2,8 @@
 
 #include "src/dem/record_fields.hpp"
 
+#include <utility>
+
 namespace demens::dem {
 
 template <>
