@@ -7,49 +7,36 @@
 namespace demens::contact {
 namespace {
 
-std::vector<std::string> const normal_names = {"hertz", "hysteretic_spring"};
-std::vector<std::string> const tangential_names = {"none", "mindlin", "mindlin_rescale",
-                                                   "mindlin_deresiewicz", "linear_coulomb"};
-std::vector<std::string> const rolling_names = {"none", "constant_torque", "viscous", "epsd", "epsd2"};
-std::vector<std::string> const cohesion_names = {"none", "linear_cohesion", "sjkr2", "van_der_waals", "dmt",
-                                                 "jkr",  "capillary"};
-
 std::vector<std::string> const friction_limit_names = {"elastic", "whole"};
 
-template <class Law>
-Law law_of(std::vector<std::string> const& names, std::string const& name)
+template <class Words>
+std::vector<std::string> texts_of(Words const& words)
 {
-    auto const found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-        throw InputError("unknown law \"" + name + "\"");
-    return static_cast<Law>(found - names.begin());
+    std::vector<std::string> texts;
+    for (auto const& word : words)
+        texts.emplace_back(word.text);
+    return texts;
 }
 
-//! What each law cannot do without: the key, and the laws that need it.
-struct Need
+//! The law that a key of the pair names; the parser has checked the word against the list.
+template <class Words>
+auto const& chosen(Words const& words, OptionValues const& values, std::string const& key)
 {
-    std::string kind, key;
-    std::vector<std::string> laws;
-};
-std::vector<Need> const needs = {
-    {"rolling", "rolling_friction", {"constant_torque", "epsd", "epsd2"}},
-    {"rolling", "rolling_viscosity", {"viscous"}},
-    {"cohesion", "cohesion_energy_density", {"linear_cohesion", "sjkr2"}},
-    {"cohesion", "surface_energy", {"van_der_waals", "dmt", "jkr"}},
-    {"cohesion", "surface_tension", {"capillary"}},
-    {"cohesion", "bridge_volume", {"capillary"}},
-};
+    auto const found = std::find_if(words.begin(), words.end(),
+                                    [&](auto const& word) { return word.text == values.text(key); });
+    if (found == words.end())
+        throw InputError("unknown law " + key + " = \"" + values.text(key) + "\"");
+    for (char const* needed : found->needs)
+        if (needed && values.number(needed) < 0)
+            throw InputError(key + " = \"" + found->text + "\" needs the key " + needed +
+                             ", which is missing; give it, 0 for none");
+    return *found;
+}
 
-//! The value of a key, 0 where it is not given and no law needs it.
-double needed(OptionValues const& values, std::string const& key)
+//! A coefficient that has no default: 0 where it is not given, since no law that is chosen needs it.
+double coefficient(OptionValues const& values, std::string const& key)
 {
-    double const value = values.number(key);
-    auto const need = std::find_if(needs.begin(), needs.end(), [&](Need const& n) { return n.key == key; });
-    std::string const law = values.text(need->kind);
-    if (value < 0 && std::find(need->laws.begin(), need->laws.end(), law) != need->laws.end())
-        throw InputError(need->kind + " = \"" + law + "\" needs the key " + key +
-                         ", which is missing; give it, 0 for none");
-    return std::max(value, 0.0);
+    return std::max(values.number(key), 0.0);
 }
 
 } // namespace
@@ -78,19 +65,19 @@ std::vector<OptionSpec> const& pair_options()
         {.key = "normal",
          .default_value = std::string("hertz"),
          .doc = "normal force law",
-         .choices = normal_names},
+         .choices = texts_of(normal_laws)},
         {.key = "tangential",
          .default_value = std::string("mindlin_rescale"),
          .doc = "tangential force law",
-         .choices = tangential_names},
+         .choices = texts_of(tangential_laws)},
         {.key = "rolling",
          .default_value = std::string("none"),
          .doc = "rolling resistance law",
-         .choices = rolling_names},
+         .choices = texts_of(rolling_laws)},
         {.key = "cohesion",
          .default_value = std::string("none"),
          .doc = "cohesion law",
-         .choices = cohesion_names},
+         .choices = texts_of(cohesion_laws)},
         {.key = "restitution",
          .default_value = 0.5,
          .doc = "coefficient of restitution [-]",
@@ -178,28 +165,29 @@ Material make_material(std::string name, OptionValues const& values)
 PairProperties make_pair(std::string first, std::string second, OptionValues const& values)
 {
     PairProperties pair{.first = std::move(first), .second = std::move(second)};
-    pair.normal = law_of<NormalLaw>(normal_names, values.text("normal"));
-    pair.tangential = law_of<TangentialLaw>(tangential_names, values.text("tangential"));
-    pair.rolling = law_of<RollingLaw>(rolling_names, values.text("rolling"));
-    pair.cohesion = law_of<CohesionLaw>(cohesion_names, values.text("cohesion"));
+    pair.normal = chosen(normal_laws, values, "normal").law;
+    pair.tangential = chosen(tangential_laws, values, "tangential").law;
+    pair.rolling = chosen(rolling_laws, values, "rolling").law;
+    pair.cohesion = chosen(cohesion_laws, values, "cohesion").law;
     pair.restitution = values.number("restitution");
     pair.static_friction = values.number("static_friction");
     pair.kinetic_friction = values.number("kinetic_friction");
     if (pair.kinetic_friction < 0)
         pair.kinetic_friction = pair.static_friction;
-    pair.rolling_friction = needed(values, "rolling_friction");
-    pair.rolling_viscosity = needed(values, "rolling_viscosity");
+    pair.rolling_friction = coefficient(values, "rolling_friction");
+    pair.rolling_viscosity = coefficient(values, "rolling_viscosity");
     pair.rolling_damping = values.number("rolling_damping");
     pair.tangential_stiffness_ratio = values.number("tangential_stiffness_ratio");
     pair.minimum_unloading_fraction = values.number("minimum_unloading_fraction");
     pair.allow_attraction = values.flag("allow_attraction");
-    pair.cohesion_energy_density = needed(values, "cohesion_energy_density");
-    pair.surface_energy = needed(values, "surface_energy");
+    pair.cohesion_energy_density = coefficient(values, "cohesion_energy_density");
+    pair.surface_energy = coefficient(values, "surface_energy");
     pair.hamaker_constant = values.number("hamaker_constant");
-    pair.surface_tension = needed(values, "surface_tension");
-    pair.bridge_volume = needed(values, "bridge_volume");
+    pair.surface_tension = coefficient(values, "surface_tension");
+    pair.bridge_volume = coefficient(values, "bridge_volume");
     pair.contact_angle_deg = values.number("contact_angle_deg");
-    pair.friction_limit = law_of<FrictionLimit>(friction_limit_names, values.text("friction_limit"));
+    pair.friction_limit =
+        values.text("friction_limit") == "whole" ? FrictionLimit::whole : FrictionLimit::elastic;
     pair.cohesion_in_limit = values.flag("cohesion_in_limit");
     if (pair.kinetic_friction > pair.static_friction)
         throw InputError(

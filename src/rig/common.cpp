@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "demens/shape/sample_check.hpp"
+#include "src/rig/option_specs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,38 +73,23 @@ OptionSpecs material_options(std::string const& wall)
 
 OptionSpecs bed_options()
 {
-    return {{.key = "size_distribution",
-             .default_value = std::string(),
-             .doc = "sizes of the particles",
-             .required = true,
-             .names_entry_of = "size_distribution"},
-            {.key = "skin",
-             .default_value = 0.3,
-             .doc = "reach of the neighbour lists beyond contact over the radius of mean volume [-]",
-             .lower = 1e-3,
-             .upper = 2.0}};
+    return {required(entry("size_distribution", "size_distribution", "sizes of the particles")),
+            number("skin", 0.3,
+                   "reach of the neighbour lists beyond contact over the radius of mean volume [-]", 1e-3,
+                   2.0)};
 }
 
 OptionSpecs run_options(Vector3 const& gravity)
 {
     return {
-        {.key = "gravity_m_s2", .default_value = gravity, .doc = "acceleration of gravity [m/s^2]"},
-        {.key = "time_step_s",
-         .default_value = 0.0,
-         .doc = "time step [s]; 0: the largest that the limits allow",
-         .lower = 0.0},
-        {.key = "rayleigh_fraction",
-         .default_value = 0.2,
-         .doc = "largest time step as a fraction of the smallest sphere's Rayleigh time [-]",
-         .lower = 1e-6,
-         .upper = 1.0},
-        {.key = "energy_ledger",
-         .default_value = false,
-         .doc = "account for all energy, and store it with the run"},
-        {.key = "energy_closure_limit",
-         .default_value = 0.05,
-         .doc = "a run whose ledger misses more than this part of the energy turned over has failed [-]",
-         .lower = 1e-6},
+        vector("gravity_m_s2", gravity, "acceleration of gravity [m/s^2]"),
+        number("time_step_s", 0, "time step [s]; 0: the largest that the limits allow", 0.0),
+        number("rayleigh_fraction", 0.2,
+               "largest time step as a fraction of the smallest sphere's Rayleigh time [-]", 1e-6, 1.0),
+        flag("energy_ledger", false, "account for all energy, and store it with the run"),
+        number("energy_closure_limit", 0.05,
+               "a run whose ledger misses more than this part of the energy turned over has failed [-]",
+               1e-6),
     };
 }
 

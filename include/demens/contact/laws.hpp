@@ -21,8 +21,8 @@
 
 namespace demens::contact {
 
-// The list of laws. The order is that of the enumerations in model.hpp. To add one: its header, its line
-// here, its name in model.cpp, its test.
+// The list of laws. The order is that of the enumerations in law_words.hpp. To add one: its header, its line
+// here, its word there, its test.
 using AnyNormal = OneOf<HertzNormal, HystereticSpringNormal>;
 using AnyTangential = OneOf<NoLaw, MindlinTangential, MindlinRescaleTangential, MindlinDeresiewiczTangential,
                             LinearCoulombTangential>;

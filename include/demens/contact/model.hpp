@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demens/base/options.hpp"
+#include "demens/contact/law_words.hpp"
 
 #include <string>
 #include <vector>
@@ -14,45 +15,6 @@ struct Material
     double density = 2500;       //!< [kg/m^3]
     double youngs_modulus = 1e7; //!< [Pa]
     double poisson_ratio = 0.3;  //!< [-]
-};
-
-enum class NormalLaw
-{
-    hertz,
-    hysteretic_spring
-};
-enum class TangentialLaw
-{
-    none,
-    mindlin,
-    mindlin_rescale,
-    mindlin_deresiewicz,
-    linear_coulomb
-};
-enum class RollingLaw
-{
-    none,
-    constant_torque,
-    viscous,
-    epsd,
-    epsd2
-};
-enum class CohesionLaw
-{
-    none,
-    linear_cohesion,
-    sjkr2,
-    van_der_waals,
-    dmt,
-    jkr,
-    capillary
-};
-
-//! The normal force that limits friction and rolling; with `hysteretic_spring` both are the same.
-enum class FrictionLimit
-{
-    elastic, //!< without the damping
-    whole    //!< with the damping, where it pushes
 };
 
 //! Laws and coefficients of one pair of materials.

@@ -3,7 +3,7 @@
 #include "demens/base/error.hpp"
 #include "demens/observe/surface.hpp"
 #include "src/rig/common.hpp"
-#include "src/rig/custom/specs.hpp"
+#include "src/rig/option_specs.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include "demens/base/error.hpp"
 #include "demens/shape/sample_check.hpp"
 #include "src/rig/custom/selection.hpp"
-#include "src/rig/custom/specs.hpp"
+#include "src/rig/option_specs.hpp"
 
 #include <algorithm>
 #include <cmath>

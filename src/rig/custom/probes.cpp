@@ -3,7 +3,7 @@
 
 #include "demens/observe/segregation.hpp"
 #include "demens/observe/surface.hpp"
-#include "src/rig/custom/specs.hpp"
+#include "src/rig/option_specs.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "src/rig/custom/setup.hpp"
 
 #include "demens/observe/surface.hpp"
-#include "src/rig/custom/specs.hpp"
+#include "src/rig/option_specs.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "src/rig/custom/regions.hpp"
 
 #include "demens/base/words.hpp"
-#include "src/rig/custom/specs.hpp"
+#include "src/rig/option_specs.hpp"
 
 #include <fmt/format.h>
 

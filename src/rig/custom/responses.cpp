@@ -2,8 +2,8 @@
 #include "src/rig/custom/responses.hpp"
 
 #include "demens/base/error.hpp"
-#include "src/rig/custom/specs.hpp"
 #include "src/rig/custom/upright.hpp"
+#include "src/rig/option_specs.hpp"
 
 #include <cmath>
 

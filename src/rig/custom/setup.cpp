@@ -2,7 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "demens/shape/stl.hpp"
-#include "src/rig/custom/specs.hpp"
+#include "src/rig/option_specs.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,7 @@
 #include "src/rig/custom/stages.hpp"
 
 #include "demens/base/error.hpp"
-#include "src/rig/custom/specs.hpp"
+#include "src/rig/option_specs.hpp"
 
 #include <cmath>
 

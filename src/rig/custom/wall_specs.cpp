@@ -1,5 +1,5 @@
-#include "src/rig/custom/specs.hpp"
 #include "src/rig/custom/walls.hpp"
+#include "src/rig/option_specs.hpp"
 
 namespace demens::rig::custom {
 namespace {

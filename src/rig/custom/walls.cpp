@@ -4,7 +4,7 @@
 #include "demens/shape/stl.hpp"
 #include "src/rig/common.hpp"
 #include "src/rig/custom/selection.hpp"
-#include "src/rig/custom/specs.hpp"
+#include "src/rig/option_specs.hpp"
 
 #include <algorithm>
 #include <array>

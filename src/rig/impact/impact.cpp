@@ -2,6 +2,7 @@
 
 #include "demens/rig/programme/programme.hpp"
 #include "src/rig/common.hpp"
+#include "src/rig/option_specs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,16 +15,10 @@ OptionSpecs options()
 {
     return joined(
         {material_options("the plane"),
-         {{.key = "diameter_mm", .default_value = 5.0, .doc = "diameter of the sphere [mm]", .lower = 1e-6},
-          {.key = "speed_m_s", .default_value = 1.0, .doc = "speed before the impact [m/s]", .lower = 1e-6},
-          {.key = "angle_deg",
-           .default_value = 0.0,
-           .doc = "between the path and the normal of the plane [deg]",
-           .lower = 0.0,
-           .upper = 89.0},
-          {.key = "spin_rad_s",
-           .default_value = 0.0,
-           .doc = "angular velocity before, as if rolling backwards when positive"}},
+         {number("diameter_mm", 5, "diameter of the sphere [mm]", 1e-6),
+          number("speed_m_s", 1, "speed before the impact [m/s]", 1e-6),
+          number("angle_deg", 0, "between the path and the normal of the plane [deg]", 0.0, 89.0),
+          number("spin_rad_s", 0, "angular velocity before, as if rolling backwards when positive")},
          run_options({})});
 }
 

@@ -4,8 +4,8 @@
 
 #include <limits>
 
-//! Keys that several tables of the rig `custom` have.
-namespace demens::rig::custom {
+//! Keys of rigs and of their tables, a line each.
+namespace demens::rig {
 
 constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 constexpr double positive = std::numeric_limits<double>::min();
@@ -37,9 +37,20 @@ inline OptionSpec required(OptionSpec spec)
     return spec;
 }
 inline OptionSpec number(std::string key, double value, std::string doc,
-                         double lower = -std::numeric_limits<double>::infinity())
+                         double lower = -std::numeric_limits<double>::infinity(),
+                         double upper = std::numeric_limits<double>::infinity())
 {
-    return {.key = std::move(key), .default_value = value, .doc = std::move(doc), .lower = lower};
+    return {
+        .key = std::move(key), .default_value = value, .doc = std::move(doc), .lower = lower, .upper = upper};
+}
+inline OptionSpec integer(std::string key, std::int64_t value, std::string doc, double lower, double upper)
+{
+    return {
+        .key = std::move(key), .default_value = value, .doc = std::move(doc), .lower = lower, .upper = upper};
+}
+inline OptionSpec flag(std::string key, bool value, std::string doc)
+{
+    return {.key = std::move(key), .default_value = value, .doc = std::move(doc)};
 }
 inline OptionSpec vector(std::string key, Vector3 value, std::string doc)
 {
@@ -50,4 +61,4 @@ inline OptionSpec required_vector(std::string key, std::string doc)
     return required(vector(std::move(key), {}, std::move(doc)));
 }
 
-} // namespace demens::rig::custom
+} // namespace demens::rig
