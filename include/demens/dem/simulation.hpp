@@ -38,7 +38,7 @@ class Simulation
     //! New coefficients for the same laws; contacts keep their histories. \throws InputError for other laws.
     void set_model(contact::Model const& model) { engine_->set_model(model); }
 
-    void advance(std::int64_t steps) { engine_->advance(steps); }
+    void advance(std::int64_t steps) { engine_->advance(steps); } //!< 0: loads at first become known
 
     //! State as of the last step; overlaps are judged since the last call.
     Health health() { return engine_->health(); }

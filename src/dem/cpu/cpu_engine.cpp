@@ -111,17 +111,29 @@ void CpuEngine::activate(WallId wall, bool on)
 void CpuEngine::advance(std::int64_t steps)
 {
     DEMENS_EXPECT(steps >= 0, "time goes forwards");
+    if (state_.steps_done == 0)
+        begin();
     for (std::int64_t k = 0; k < steps; ++k)
         step();
 }
 
+//! Loads that act at first; anew after every change before the first step, as if it had always been there.
+void CpuEngine::begin()
+{
+    if (!state_.lists.is_stale)
+        return;
+    for (auto* lists : {&state_.contacts.pairs, &state_.contacts.walls, &state_.contacts.ghosts})
+        for (ContactList& list : *lists)
+            std::fill(list.state.begin(), list.state.end(), 0.0);
+    rebuild_if_needed();
+    std::fill(state_.particles.load.begin(), state_.particles.load.end(), Load{});
+    compute_loads();
+    accounts_->begin(*params_, state_);
+    partition_->note_change();
+}
+
 void CpuEngine::step()
 {
-    if (state_.steps_done == 0) {
-        rebuild_if_needed();
-        compute_loads();
-        accounts_->begin(*params_, state_);
-    }
     move_bodies();
     rebuild_if_needed();
     compute_loads();

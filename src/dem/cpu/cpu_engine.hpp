@@ -56,6 +56,7 @@ class CpuEngine final : public Engine
     //! What was gathered and the neighbour lists no longer say how it is.
     void note_change();
     void add(Body const& body, Vector3 const& velocity_behind);
+    void begin();
     void step();
     void move_bodies();
     void rebuild_if_needed();

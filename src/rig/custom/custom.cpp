@@ -25,6 +25,8 @@ Programme describe(RunInput const& input)
         .steps_per_look = std::max<std::int64_t>(1, std::llround(setup->interval / setup->options.time_step)),
         .expected_particles = setup->expected_particles(),
         .expected_duration = setup->longest_duration()};
+    for (auto const& response : setup->responses)
+        programme.reads_loads |= reads_loads(response.quantity);
     programme.build = [setup] { return build(*setup); };
     programme.check = [setup] {
         check_places(*setup);

@@ -196,6 +196,12 @@ ResponsePlan read_response(OptionValues const& o, OptionValues const& experiment
 
 } // namespace
 
+bool reads_loads(Quantity quantity)
+{
+    return quantity == Quantity::wall_force || quantity == Quantity::wall_torque ||
+           quantity == Quantity::energy;
+}
+
 TableSpec response_table()
 {
     std::vector<TableKind> kinds;

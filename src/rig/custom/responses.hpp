@@ -48,6 +48,9 @@ enum class Component
     magnitude
 };
 
+//! Whether it looks at forces, or at energy that they store.
+bool reads_loads(Quantity quantity);
+
 //! `[[experiment.response]]`
 TableSpec response_table();
 //! Names and units of what an experiment asks for.

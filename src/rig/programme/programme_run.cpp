@@ -48,6 +48,17 @@ ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team)
 {
 }
 
+ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team, RunState const& state)
+    : ProgrammeRun(std::move(programme), team)
+{
+    Apparatus apparatus = programme_.build();
+    apparatus.options.team = team_;
+    auto const stage = state.progress.model_of;
+    auto const& model = stage ? *programme_.stages.at(*stage).model : apparatus.model;
+    bench_.emplace(
+        Bench{dem::Simulation::restore(model, apparatus.options, state.simulation), state.progress});
+}
+
 void ProgrammeRun::advance(std::int64_t steps)
 try {
     if (is_over())
@@ -122,8 +133,10 @@ void ProgrammeRun::begin_stage()
         return;
     }
     progress.begins[progress.stage] = bench_->simulation.time();
-    if (stage().model)
+    if (stage().model) {
         bench_->simulation.set_model(*stage().model);
+        progress.model_of = progress.stage;
+    }
     if (stage().enter)
         stage().enter(*bench_);
     progress.entered = true;
@@ -134,6 +147,8 @@ void ProgrammeRun::begin_stage()
 
 void ProgrammeRun::look()
 {
+    if (programme_.reads_loads)
+        bench_->simulation.advance(0);
     if (watcher_)
         watcher_(*bench_, stage().name);
     auto& progress = bench_->progress;

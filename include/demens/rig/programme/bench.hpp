@@ -23,11 +23,12 @@ struct EnteredGroup
 struct Progress
 {
     std::size_t stage = 0;
-    bool entered = false;            //!< whether the stage has begun
-    std::vector<double> begins = {}; //!< when each stage began [s]; NaN: not yet
-    std::int64_t looks = 0;          //!< in this stage
-    std::int64_t steps_to_look = 0;  //!< before the next one
-    std::optional<double> origin;    //!< of the series' time [s]; none before the first sample
+    bool entered = false;                     //!< whether the stage has begun
+    std::vector<double> begins = {};          //!< when each stage began [s]; NaN: not yet
+    std::int64_t looks = 0;                   //!< in this stage
+    std::int64_t steps_to_look = 0;           //!< before the next one
+    std::optional<std::size_t> model_of = {}; //!< the stage whose coefficients hold; none: those of the start
+    std::optional<double> origin;             //!< of the series' time [s]; none before the first sample
     std::vector<EnteredGroup> groups = {};
     std::map<std::string, double> notes = {}; //!< what stages wrote down for later ones
     RandomStream random{0};                   //!< of what is drawn while the run goes on

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "demens/dem/state_record.hpp"
 #include "demens/rig/programme/programme.hpp"
 
 #include <exception>
@@ -19,17 +20,28 @@ class RunFailure : public std::exception
     std::string reason_;
 };
 
+//! A run as it can be kept: the state of its simulation, and where it is in its programme.
+struct RunState
+{
+    dem::StateRecord simulation;
+    Progress progress;
+};
+
 //! A run of a programme, which is done piece by piece: many can be held at once, and each can be left at any
 //! time. With a team, all its ranks make the same calls.
 class ProgrammeRun
 {
   public:
     ProgrammeRun(Programme programme, dem::Team* team);
+    //! Goes on with a run of the same programme that was left, with the same bits. \throws InputError
+    ProgrammeRun(Programme programme, dem::Team* team, RunState const& state);
 
     //! Does so many time steps or less, with all looks and changes of stage that come on the way; returns
     //! when they are done or the run is over. What goes wrong in it is the run's status.
     void advance(std::int64_t steps);
     bool is_over() const { return status_ != RunStatus::not_run; }
+    //! To go on later or elsewhere; the run has begun and is not over.
+    RunState save() { return {bench_->simulation.save(), bench_->progress}; }
     //! Ends the run from outside.
     void fail(RunStatus status, std::string reason);
     //! Called at every look with the stage's name, before anything is read.

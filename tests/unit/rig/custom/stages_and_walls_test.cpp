@@ -71,6 +71,65 @@ TEST(CustomWalls, AreSwitchedByStages)
     EXPECT_LT(response_of(text, "fallen"), -0.19);
 }
 
+TEST(CustomWalls, BearWhatLiesOnThemFromTheFirstLookOn)
+{
+    // 4 mm, at rest from the beginning: the overlap with Hertz' law carries its weight, 8.218e-4 N.
+    auto const text = R"([campaign]
+name = "plate"
+[material.m]
+density = 2500
+youngs_modulus = 1e7
+[contact.m_m]
+restitution = 0.5
+static_friction = 0.3
+[[factor]]
+path = "contact.m_m.static_friction"
+lower = 0.2
+upper = 0.3
+[[experiment]]
+name = "e"
+rig = "custom"
+series_interval_s = 0.01
+[[experiment.particles]]
+name = "s"
+source = "body"
+material = "m"
+diameter_mm = 4
+place_mm = [0, 0, 1.99815383642831]
+[[experiment.wall]]
+name = "plate"
+material = "m"
+shape = "rectangle"
+corner_mm = [-10, -10, 0]
+side_u_mm = [20, 0, 0]
+side_v_mm = [0, 20, 0]
+[[experiment.stage]]
+name = "rest"
+duration_s = 0.05
+[[experiment.response]]
+name = "mean"
+quantity = "wall_force"
+wall = "plate"
+take = "mean"
+[[experiment.response]]
+name = "min"
+quantity = "wall_force"
+wall = "plate"
+take = "min"
+[[experiment.response]]
+name = "change"
+quantity = "wall_force"
+wall = "plate"
+take = "change"
+[stop]
+waves = 0
+)";
+    double const weight = 2500 * std::numbers::pi / 6 * std::pow(0.004, 3) * 9.81;
+    EXPECT_NEAR(response_of(text, "mean"), weight, 1e-4 * weight);
+    EXPECT_NEAR(response_of(text, "min"), weight, 1e-4 * weight);
+    EXPECT_NEAR(response_of(text, "change"), 0, 1e-4 * weight);
+}
+
 TEST(CustomWalls, BearNothingWhenTheyAreGone)
 {
     auto const gate =

@@ -126,6 +126,27 @@ TEST(ProgrammeRun, AnyPortionsGiveTheSameBitsAndManyAreHeldAtOnce)
     EXPECT_NE(second.result().responses, whole.responses);
 }
 
+TEST(ProgrammeRun, GoesOnFromItsRecordWithTheSameBits)
+{
+    auto const& info = *rig::find_rig("drawdown");
+    auto const input = demens::testing::small_drawdown(1);
+    auto const whole = info.run(input, {});
+    // Left while the bed settles with little friction, and while it flows.
+    for (std::int64_t const part : {whole.steps / 4, whole.steps * 3 / 4}) {
+        rig::ProgrammeRun first(info.describe(input), nullptr);
+        first.advance(part);
+        auto state = first.save();
+        state.simulation = dem::StateRecord::from_bytes(state.simulation.to_bytes());
+        rig::ProgrammeRun second(info.describe(input), nullptr, state);
+        second.advance(whole.steps);
+        auto const result = second.result();
+        EXPECT_EQ(result.status, RunStatus::finished) << result.reason;
+        EXPECT_EQ(result.responses, whole.responses);
+        EXPECT_EQ(result.series.columns, whole.series.columns);
+        EXPECT_EQ(result.snapshots.size(), 2u);
+    }
+}
+
 TEST(ProgrammeRun, LooksAtTheClockWithinAStageThatIsNotLookedAt)
 {
     auto programme = falling_ball({{.name = "long", .shortest = 1e9 * dt}});
