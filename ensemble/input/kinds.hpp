@@ -61,14 +61,63 @@ enum class SolverKind
 namespace demens {
 
 template <>
-std::vector<Word<ensemble::DesignKind>> const& words_of();
+inline std::vector<Word<ensemble::DesignKind>> const& words_of()
+{
+    using enum ensemble::DesignKind;
+    static std::vector<Word<ensemble::DesignKind>> const words = {
+        {latin_hypercube, "latin_hypercube"},
+        {sobol, "sobol"},
+        {full_factorial, "full_factorial"},
+        {fractional_factorial, "fractional_factorial"},
+        {central_composite, "central_composite"},
+        {box_behnken, "box_behnken"},
+        {d_optimal, "d_optimal"},
+        {table, "table"}};
+    return words;
+}
+
 template <>
-std::vector<Word<ensemble::ObjectiveKind>> const& words_of();
+inline std::vector<Word<ensemble::ObjectiveKind>> const& words_of()
+{
+    using enum ensemble::ObjectiveKind;
+    static std::vector<Word<ensemble::ObjectiveKind>> const words = {
+        {wmse, "wmse"},
+        {weighted_least_squares, "weighted_least_squares"},
+        {root_sum_of_squares, "root_sum_of_squares"},
+        {relative_deviations, "relative_deviations"}};
+    return words;
+}
+
 template <>
-std::vector<Word<ensemble::TransformKind>> const& words_of();
+inline std::vector<Word<ensemble::TransformKind>> const& words_of()
+{
+    using enum ensemble::TransformKind;
+    static std::vector<Word<ensemble::TransformKind>> const words = {
+        {none, "none"}, {log, "log"}, {logit, "logit"}, {asinh, "asinh"}};
+    return words;
+}
+
 template <>
-std::vector<Word<ensemble::SearchKind>> const& words_of();
+inline std::vector<Word<ensemble::SearchKind>> const& words_of()
+{
+    using enum ensemble::SearchKind;
+    static std::vector<Word<ensemble::SearchKind>> const words = {
+        {surrogate_minima, "surrogate_minima"},
+        {rbf_distance, "rbf_distance"},
+        {response_surface, "response_surface"},
+        {expected_improvement, "expected_improvement"},
+        {pounders_direct, "pounders_direct"}};
+    return words;
+}
+
 template <>
-std::vector<Word<ensemble::SolverKind>> const& words_of();
+inline std::vector<Word<ensemble::SolverKind>> const& words_of()
+{
+    using enum ensemble::SolverKind;
+    static std::vector<Word<ensemble::SolverKind>> const words = {
+        {pounders, "pounders"}, {quasi_newton, "quasi_newton"}, {bobyqa, "bobyqa"},
+        {praxis, "praxis"},     {simplex, "simplex"},           {genetic, "genetic"}};
+    return words;
+}
 
 } // namespace demens

@@ -22,7 +22,14 @@ constexpr std::uint64_t derive_seed(std::uint64_t seed, std::uint64_t key)
 class RandomStream
 {
   public:
-    explicit constexpr RandomStream(std::uint64_t seed) : seed_(seed) {}
+    //! \param drawn so many numbers were drawn before
+    explicit constexpr RandomStream(std::uint64_t seed, std::uint64_t drawn = 0)
+        : seed_(seed), counter_(drawn)
+    {
+    }
+
+    constexpr std::uint64_t seed() const { return seed_; }
+    constexpr std::uint64_t drawn() const { return counter_; }
 
     //! Next 64 random bits.
     constexpr std::uint64_t next() { return derive_seed(seed_, counter_++); }
@@ -35,7 +42,7 @@ class RandomStream
 
   private:
     std::uint64_t seed_;
-    std::uint64_t counter_ = 0;
+    std::uint64_t counter_;
 };
 
 } // namespace demens

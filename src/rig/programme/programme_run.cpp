@@ -1,5 +1,7 @@
 #include "demens/rig/programme/programme_run.hpp"
 
+#include "demens/base/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -41,6 +43,24 @@ void add_to(Progress::Average& average, ProfileReading::Points const& points)
         }
 }
 
+//! \throws InputError for where a run of another programme is
+void check_fits(Programme const& programme, Progress const& progress)
+{
+    auto const stages = programme.stages.size();
+    bool fits = progress.stage < stages && progress.begins.size() == stages &&
+                progress.rows.size() == stages && progress.responses.size() == programme.responses.size() &&
+                progress.averages.size() == programme.profiles.size() &&
+                progress.series.names.size() == 1 + programme.readings.size() &&
+                progress.series.columns.size() == progress.series.names.size();
+    for (std::size_t k = 0; fits && k < programme.readings.size(); ++k)
+        fits = progress.series.names[k + 1] == programme.readings[k].name &&
+               progress.series.columns[k + 1].size() == progress.series.rows();
+    if (fits && progress.model_of)
+        fits = *progress.model_of < stages && programme.stages[*progress.model_of].model;
+    if (!fits)
+        throw InputError("what was kept of a run is of one with other stages, readings or responses");
+}
+
 } // namespace
 
 ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team)
@@ -51,10 +71,11 @@ ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team)
 ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team, RunState const& state)
     : ProgrammeRun(std::move(programme), team)
 {
+    check_fits(programme_, state.progress);
     Apparatus apparatus = programme_.build();
     apparatus.options.team = team_;
     auto const stage = state.progress.model_of;
-    auto const& model = stage ? *programme_.stages.at(*stage).model : apparatus.model;
+    auto const& model = stage ? *programme_.stages[*stage].model : apparatus.model;
     bench_.emplace(
         Bench{dem::Simulation::restore(model, apparatus.options, state.simulation), state.progress});
 }

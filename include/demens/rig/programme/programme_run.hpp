@@ -25,6 +25,11 @@ struct RunState
 {
     dem::StateRecord simulation;
     Progress progress;
+
+    //! All of it as one record, which can be written to a file.
+    dem::StateRecord record() const;
+    //! \throws InputError for a record that is not of a run
+    static RunState from_record(dem::StateRecord record);
 };
 
 //! A run of a programme, which is done piece by piece: many can be held at once, and each can be left at any

@@ -135,8 +135,8 @@ TEST(ProgrammeRun, GoesOnFromItsRecordWithTheSameBits)
     for (std::int64_t const part : {whole.steps / 4, whole.steps * 3 / 4}) {
         rig::ProgrammeRun first(info.describe(input), nullptr);
         first.advance(part);
-        auto state = first.save();
-        state.simulation = dem::StateRecord::from_bytes(state.simulation.to_bytes());
+        auto const bytes = first.save().record().to_bytes();
+        auto const state = rig::RunState::from_record(dem::StateRecord::from_bytes(bytes));
         rig::ProgrammeRun second(info.describe(input), nullptr, state);
         second.advance(whole.steps);
         auto const result = second.result();
@@ -145,6 +145,16 @@ TEST(ProgrammeRun, GoesOnFromItsRecordWithTheSameBits)
         EXPECT_EQ(result.series.columns, whole.series.columns);
         EXPECT_EQ(result.snapshots.size(), 2u);
     }
+}
+
+TEST(ProgrammeRun, RefusesTheRecordOfAnotherProgramme)
+{
+    auto const& info = *rig::find_rig("drawdown");
+    rig::ProgrammeRun run(info.describe(demens::testing::small_drawdown(1)), nullptr);
+    run.advance(1);
+    auto const other = falling_ball({{.name = "a", .shortest = 0.05}});
+    EXPECT_THROW(rig::ProgrammeRun(other, nullptr, run.save()), InputError);
+    EXPECT_THROW(rig::RunState::from_record(dem::StateRecord{}), InputError);
 }
 
 TEST(ProgrammeRun, LooksAtTheClockWithinAStageThatIsNotLookedAt)
