@@ -24,7 +24,9 @@ dem::Motion of_mass(double mass)
 
 dem::StateView view_of(dem::Particles const& particles)
 {
-    return {{particles.place, particles.motion, particles.load, particles.material, particles.id}, {0, {}}};
+    return {{particles.place, particles.motion, particles.load, particles.material, particles.id},
+            dem::Fields::places | dem::Fields::motions,
+            {0, {}}};
 }
 
 //! A drum of radius 1 filled below a surface at an angle with grains so fine that their raster is dense.
