@@ -72,7 +72,7 @@ double SurfaceMap::mean_height() const
 SurfaceProfile SurfaceMap::along_x() const
 {
     SurfaceProfile profile;
-    for (std::size_t first = 0, end; first < columns.size(); first = end) {
+    for (std::size_t first = 0, end = 0; first < columns.size(); first = end) {
         double sum = 0;
         for (end = first; end < columns.size() && columns[end].i == columns[first].i; ++end)
             sum += columns[end].top;

@@ -39,7 +39,7 @@ def responses(file, wave, row):
 
 def series(file, wave, row):
     for experiment, group in file.get(f"series/{wave}", {}).items():
-        if "samples" not in group:
+        if "samples" not in group or "values" not in group:
             continue
         first, count = group["first_sample"][row], group["samples"][row]
         for column, name in enumerate(group["values"].attrs["columns"].astype(str)):
