@@ -39,7 +39,7 @@ function plot(parent, name, specification) {
 // Shorthand for the pieces that most plots have.
 const linear = (name, range, domain, more = {}) => ({name, type: 'linear', range, domain, nice: true, zero: false, ...more});
 const logarithmic = (name, range, domain) => ({name, type: 'log', range, domain, nice: true});
-const axis = (orient, scale, title, more = {}) => ({orient, scale, title, grid: true, tickCount: 5, ...more});
+const axis = (orient, scale, title, more = {}) => ({orient, scale, title, grid: true, tickCount: 5, labelOverlap: true, ...more});
 const mark = (type, data, encode, more = {}) => ({type, from: data && {data}, encode: {update: encode}, ...more});
 
 function extent(values, margin = 0.05) {
