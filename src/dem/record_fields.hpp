@@ -5,41 +5,17 @@
 #include "demens/dem/wall.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include <fmt/format.h>
 
 namespace demens::dem {
 
-//! How a type is kept in an array: so many numbers of one type.
+//! How a type is kept in an array: so many numbers of one type; a record of a body is kept as doubles.
 template <class T>
 struct RecordRow
 {
-    using Element = T;
-};
-template <>
-struct RecordRow<Vector3>
-{
-    using Element = double;
-};
-template <>
-struct RecordRow<Place>
-{
-    using Element = double;
-};
-template <>
-struct RecordRow<Motion>
-{
-    using Element = double;
-};
-template <>
-struct RecordRow<Load>
-{
-    using Element = double;
-};
-template <>
-struct RecordRow<WallLoad>
-{
-    using Element = double;
+    using Element = std::conditional_t<std::is_arithmetic_v<T>, T, double>;
 };
 template <class T>
 constexpr std::uint32_t columns_of()
