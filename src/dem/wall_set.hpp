@@ -18,7 +18,6 @@ class WallSet
     void move(WallId id, WallVelocity const& velocity);
     //! `now`: time of the simulation [s]. \throws InputError
     void move(WallId id, std::vector<WallMotion> motions, double now);
-    void set(WallId id, Wall const& wall) { walls_[id.value] = wall; } // on its way out
     void activate(WallId id, bool on);
 
     //! Puts the walls where they are after a step that begins at `time` [s], with velocities half a step

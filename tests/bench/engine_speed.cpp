@@ -57,13 +57,13 @@ void time_steps(std::filesystem::path const& folder, std::string const& rolling,
 {
     bench::State const state = bench::read_state(folder / "state.txt");
     auto const simulation = bench::make_simulation(state, {bench::powder(rolling)});
-    simulation->steps(warm_up);
-    auto const rebuilds = simulation->rebuilds();
+    simulation->advance(warm_up);
+    auto const rebuilds = simulation->counts().rebuilds;
     auto const start = std::chrono::steady_clock::now();
     double quickest = 1e9; // of groups of five steps: what the machine does when nothing disturbs it
     for (int done = 0; done < steps; done += 5) {
         auto const before = std::chrono::steady_clock::now();
-        simulation->steps(std::min(5, steps - done));
+        simulation->advance(std::min(5, steps - done));
         if (steps - done >= 5)
             quickest = std::min(
                 quickest,
@@ -73,9 +73,8 @@ void time_steps(std::filesystem::path const& folder, std::string const& rolling,
     double const n = static_cast<double>(state.spheres.size());
     fmt::print("{{\"seconds\": {}, \"quickest_step\": {}, \"coordination\": {}, \"rebuilds\": {}, "
                "\"peak_bytes\": {}}}\n",
-               seconds, quickest,
-               2.0 * static_cast<double>(simulation->particle_contacts()) / std::max(n, 1.0),
-               simulation->rebuilds() - rebuilds, peak_memory());
+               seconds, quickest, 2.0 * static_cast<double>(simulation->counts().contacts) / std::max(n, 1.0),
+               simulation->counts().rebuilds - rebuilds, peak_memory());
 }
 
 //! How long the parts of a comparison take in turns.
@@ -167,7 +166,7 @@ void compare_laws(std::filesystem::path const& folder, Turns const& turns)
                    c.rebuilds > 0 ? fmt::format("{:.0f}", 1 / c.rebuilds) : "none",
                    c.nanoseconds_per_contact(), arithmetic[k], explained,
                    explained / c.nanoseconds_per_contact(),
-                   c.simulation->check_health() == dem::Health::good ? "" : " not healthy");
+                   c.simulation->health() == dem::Health::good ? "" : " not healthy");
     }
 }
 

@@ -21,16 +21,16 @@ double Contestant::best() const
 void time_in_turns(std::vector<Contestant>& contestants, int warm_up, int steps, int rounds)
 {
     for (Contestant& c : contestants)
-        c.simulation->steps(warm_up);
+        c.simulation->advance(warm_up);
     for (int round = 0; round < rounds; ++round)
         for (Contestant& c : contestants) {
-            auto const rebuilds = c.simulation->rebuilds();
+            auto const rebuilds = c.simulation->counts().rebuilds;
             double const start = processor_seconds();
-            c.simulation->steps(steps);
+            c.simulation->advance(steps);
             c.seconds.push_back((processor_seconds() - start) / steps);
             c.contacts =
-                static_cast<double>(c.simulation->particle_contacts() + c.simulation->wall_contacts());
-            c.rebuilds += static_cast<double>(c.simulation->rebuilds() - rebuilds) / (steps * rounds);
+                static_cast<double>(c.simulation->counts().contacts + c.simulation->counts().wall_contacts);
+            c.rebuilds += static_cast<double>(c.simulation->counts().rebuilds - rebuilds) / (steps * rounds);
         }
 }
 

@@ -24,7 +24,7 @@ struct Contestant
     double nanoseconds_per_contact() const { return 1e9 * best() / contacts; }
     double million_particle_steps() const
     {
-        return 1e-6 * static_cast<double>(simulation->particles().size()) / best();
+        return 1e-6 * static_cast<double>(simulation->counts().particles) / best();
     }
 };
 

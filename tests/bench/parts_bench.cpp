@@ -83,11 +83,11 @@ void integration(benchmark::State& state)
     dem::Simulation simulation(bench::powder("none"), {.time_step = 1e-9, .skin = 1e-3});
     int const n = static_cast<int>(state.range(0)), side = static_cast<int>(std::cbrt(n)) + 1;
     for (int k = 0; k < n; ++k)
-        simulation.add_particle({0.01 * (k % side), 0.01 * (k / side % side), 0.01 * (k / side / side)}, 1e-3,
-                                0);
-    simulation.step();
+        simulation.add(
+            dem::Body{{0.01 * (k % side), 0.01 * (k / side % side), 0.01 * (k / side / side)}, 1e-3});
+    simulation.advance(1);
     for (auto _ : state)
-        simulation.step();
+        simulation.advance(1);
     state.counters["time/particle"] =
         benchmark::Counter(static_cast<double>(state.iterations() * n),
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);

@@ -70,16 +70,15 @@ void simulate(State& state, double duration)
 {
     auto const simulation = make_simulation(state, {powder("none")});
     std::int64_t const steps = std::llround(duration / state.time_step), last = steps / 10;
-    simulation->steps(steps - last);
-    simulation->check_health(); // large spheres may have fallen on small ones
-    simulation->steps(last);
-    if (simulation->check_health() != dem::Health::good)
+    simulation->advance(steps - last);
+    simulation->health(); // large spheres may have fallen on small ones
+    simulation->advance(last);
+    if (simulation->health() != dem::Health::good)
         throw InputError("the state could not be prepared: the simulation is not healthy");
-    auto const& particles = simulation->particles();
+    auto const particles = simulation->read(dem::Fields::all);
     for (std::size_t k = 0; k < particles.size(); ++k) {
-        auto const& p = particles.place[k];
-        state.spheres[particles.id[k]] = {
-            p.radius, {p.x, p.y, p.z}, simulation->velocity(k), simulation->spin(k)};
+        state.spheres[particles.id(k).value] = {particles.radius(k), particles.position(k),
+                                                particles.velocity(k), particles.spin(k)};
     }
 }
 
@@ -121,18 +120,20 @@ std::unique_ptr<dem::Simulation> make_simulation(State const& state, Setting con
                                               .skin = setting.skin > 0 ? setting.skin : state.skin,
                                               .team = setting.team});
     for (Sphere const& s : state.spheres)
-        simulation->add_particle(s.position, s.radius, 0, s.velocity, s.spin);
+        simulation->add(
+            dem::Body{.position = s.position, .radius = s.radius, .velocity = s.velocity, .spin = s.spin});
     constexpr Vector3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
     if (state.kind == "box") {
-        simulation->add_wall(plane({0, 0, 0}, x, y));
+        simulation->add(plane({0, 0, 0}, x, y));
         for (double const at : {0.0, state.width})
-            simulation->add_wall(plane({at, 0, 0}, y, z));
+            simulation->add(plane({at, 0, 0}, y, z));
         for (double const at : {0.0, state.depth})
-            simulation->add_wall(plane({0, at, 0}, z, x));
+            simulation->add(plane({0, at, 0}, z, x));
     } else {
-        simulation->add_wall({.shape = mantle(state, setting.mantle_triangles), .spin = {0, state.spin, 0}});
+        simulation->add(
+            dem::Wall{.shape = mantle(state, setting.mantle_triangles), .spin = {0, state.spin, 0}});
         for (double const at : {-0.5 * state.depth, 0.5 * state.depth})
-            simulation->add_wall(plane({0, at, 0}, z, x));
+            simulation->add(plane({0, at, 0}, z, x));
     }
     return simulation;
 }

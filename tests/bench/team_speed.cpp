@@ -108,11 +108,11 @@ Times time_steps(dem::Simulation& simulation, TimedTeam& team, int steps)
 {
     Times times;
     for (int k = 0; k < steps; ++k) {
-        auto const rebuilds = simulation.rebuilds();
+        auto const rebuilds = simulation.counts().rebuilds;
         team.reduced = team.exchanged = {};
         auto const begin = Moment::now();
-        simulation.step();
-        auto& kind = simulation.rebuilds() > rebuilds ? times.rebuilding : times.plain;
+        simulation.advance(1);
+        auto& kind = simulation.counts().rebuilds > rebuilds ? times.rebuilding : times.plain;
         auto const step = Moment::now() - begin;
         kind.push_back({step.wall, (step - team.reduced - team.exchanged).processor, team.reduced.wall,
                         team.exchanged.wall});
@@ -135,7 +135,7 @@ Step mean_of_fastest(std::vector<Step> steps, double part)
     return mean;
 }
 
-void report(Times const& times, double part, dem::Simulation const& simulation, TimedTeam& team)
+void report(Times const& times, double part, dem::Simulation& simulation, TimedTeam& team)
 {
     Step const plain = mean_of_fastest(times.plain, part),
                rebuilding = mean_of_fastest(times.rebuilding, part);
@@ -144,8 +144,8 @@ void report(Times const& times, double part, dem::Simulation const& simulation, 
                        1e6 * plain.reduced,
                        1e6 * plain.exchanged,
                        1e6 * rebuilding.all,
-                       static_cast<double>(simulation.particles_here()),
-                       static_cast<double>(simulation.ghosts_here()),
+                       static_cast<double>(simulation.counts().particles_of_rank),
+                       static_cast<double>(simulation.counts().ghosts_of_rank),
                        8 * team.numbers,
                        team.partners};
     auto most = mean;
@@ -191,7 +191,7 @@ int main(int argc, char** argv)
         auto const state = bench::read_state(std::filesystem::path(folder) / "state.txt");
         auto const simulation =
             bench::make_simulation(state, {.model = bench::powder(rolling), .team = alone ? nullptr : &team});
-        simulation->steps(warm_up);
+        simulation->advance(warm_up);
         for (int k = 0; k < repeats; ++k)
             report(time_steps(*simulation, team, steps), part, *simulation, team);
     } catch (CLI::ParseError const& error) {

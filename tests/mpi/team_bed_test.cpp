@@ -26,12 +26,12 @@ void pour(dem::Simulation& simulation, int count, double width, double depth, Ve
     auto const places =
         shape::loose_packing(diameters, {-0.5 * width, -0.5 * depth, 0}, width, depth, 0.3, random);
     for (std::size_t k = 0; k < places.size(); ++k)
-        simulation.add_particle(places[k], 0.5 * diameters[k], 0, velocity);
+        simulation.add(dem::Body{.position = places[k], .radius = 0.5 * diameters[k], .velocity = velocity});
 }
 
 void add_floor(dem::Simulation& simulation)
 {
-    simulation.add_wall(rectangle({}, {1, 0, 0}, {0, 1, 0}));
+    simulation.add(rectangle({}, {1, 0, 0}, {0, 1, 0}));
 }
 
 dem::Simulation box(dem::Team* team, int count, double side)
@@ -41,22 +41,22 @@ dem::Simulation box(dem::Team* team, int count, double side)
     pour(simulation, count, side, side, {0, 0, -1});
     add_floor(simulation);
     for (double const at : {-0.5 * side, 0.5 * side}) {
-        simulation.add_wall(rectangle({at, 0, 0}, {0, 1, 0}, {0, 0, 1}));
-        simulation.add_wall(rectangle({0, at, 0}, {0, 0, 1}, {1, 0, 0}));
+        simulation.add(rectangle({at, 0, 0}, {0, 1, 0}, {0, 0, 1}));
+        simulation.add(rectangle({0, at, 0}, {0, 0, 1}, {1, 0, 0}));
     }
     return simulation;
 }
 
-double mass_of(dem::Simulation const& simulation)
+double mass_of(dem::Simulation& simulation)
 {
-    auto const& particles = simulation.particles();
+    auto const particles = state_of(simulation);
     double mass = 0;
     for (std::size_t const k : numbers_by_id(particles))
-        mass += particles.motion[k].mass;
+        mass += particles.mass(k);
     return mass;
 }
 
-void expect_no_force_is_left(dem::Simulation const& simulation)
+void expect_no_force_is_left(dem::Simulation& simulation)
 {
     double magnitude = 0;
     Vector3 const left = sum_of_forces(simulation, magnitude);
@@ -67,24 +67,26 @@ TEST(Bed, FallsAndRestsInABoxWithNothingLost)
 {
     constexpr int count = 2000;
     auto shared = box(&team(), count, 0.05);
-    double const mass = mass_of(box(nullptr, count, 0.05));
+    auto alone = box(nullptr, count, 0.05);
+    double const mass = mass_of(alone);
     double share = 0; // of the rank with most particles, over the mean
     for (int k = 0; k < 30; ++k) {
-        shared.steps(250);
-        ASSERT_EQ(shared.check_health(), dem::Health::good);
-        ASSERT_EQ(shared.particles().size(), static_cast<std::size_t>(count));
+        shared.advance(250);
+        ASSERT_EQ(shared.health(), dem::Health::good);
+        ASSERT_EQ(shared.counts().particles, static_cast<std::size_t>(count));
+        auto const now = state_of(shared);
         for (std::uint32_t id = 0; id < count; ++id)
-            ASSERT_EQ(shared.particles().id[id], id);
+            ASSERT_EQ(now.id(id).value, id);
         ASSERT_EQ(mass_of(shared), mass);
-        double here = static_cast<double>(shared.particles_here());
+        double here = static_cast<double>(shared.counts().particles_of_rank);
         share = team().largest(here) * team().size() / count;
         team().sum(std::span(&here, 1));
         ASSERT_EQ(here, count);
         expect_no_force_is_left(shared);
     }
     EXPECT_LT(share, 1.3); // at rest; the cuts go by weight, not by number
-    EXPECT_GT(shared.rebuilds(), 100);
-    EXPECT_GT(shared.particle_contacts(), 3000u);
+    EXPECT_GT(shared.counts().rebuilds, 100);
+    EXPECT_GT(shared.counts().contacts, 3000u);
     auto const ledger = shared.energy();
     EXPECT_LT(std::abs(ledger.closure_error()), 0.01);
     EXPECT_GT(ledger.lost(), 0.5 * ledger.turned_over);
@@ -94,17 +96,18 @@ TEST(Bed, FallsAndRestsInABoxWithNothingLost)
 void expect_the_same(dem::Simulation& alone, dem::Simulation& shared, int rounds, int steps)
 {
     for (int k = 0; k < rounds; ++k) {
-        alone.steps(steps), shared.steps(steps);
-        ASSERT_EQ(alone.check_health(), shared.check_health());
+        alone.advance(steps), shared.advance(steps);
+        ASSERT_EQ(alone.health(), shared.health());
         auto const difference = difference_of(alone, shared);
         ASSERT_LT(difference.place, 1e-8 * radius) << "round " << k;
         ASSERT_LT(difference.velocity, 1e-7);
-        ASSERT_EQ(alone.particle_contacts(), shared.particle_contacts()) << "round " << k;
-        ASSERT_EQ(alone.wall_contacts(), shared.wall_contacts());
+        ASSERT_EQ(alone.counts().contacts, shared.counts().contacts) << "round " << k;
+        ASSERT_EQ(alone.counts().wall_contacts, shared.counts().wall_contacts);
         ASSERT_NEAR(alone.kinetic_energy(), shared.kinetic_energy(), 1e-9 * alone.kinetic_energy());
         expect_no_force_is_left(shared);
+        auto const loads_alone = alone.read_wall_loads(), loads_shared = shared.read_wall_loads();
         for (std::size_t w = 0; w < alone.walls().size(); ++w) {
-            auto const &a = alone.wall_loads()[w], &b = shared.wall_loads()[w];
+            auto const &a = loads_alone[w], &b = loads_shared[w];
             ASSERT_LE(norm(a.force - b.force), 1e-5 * norm(a.force)) << "wall " << w;
             ASSERT_LE(norm(a.torque - b.torque), 1e-5 * norm(a.force) * 0.1) << "wall " << w;
         }
@@ -119,24 +122,26 @@ TEST(Bed, LargeSpheresAmongSmallOnesBeginAsWithOneRank)
                                    {.time_step = time_step, .skin = 0.5 * radius, .team = team});
         RandomStream random(5);
         for (double const x : {-0.05, 0.0, 0.05})
-            simulation.add_particle({x, 0.01 * random.uniform(-1, 1), 0.047}, 10 * radius, 0, {0, 0, -1});
+            simulation.add(dem::Body{.position = {x, 0.01 * random.uniform(-1, 1), 0.047},
+                                     .radius = 10 * radius,
+                                     .velocity = {0, 0, -1}});
         for (int k = 0; k < 1500; ++k) // a lattice above the floor, with room for the large ones
-            simulation.add_particle({0.0062 * (k % 25 - 12), 0.0062 * (k / 25 % 15 - 7),
-                                     0.003 + 0.0062 * (k / 375) + 1e-4 * random.uniform(-1, 1)},
-                                    random.uniform(1, 1.5) * radius, 0);
+            simulation.add(dem::Body{.position = {0.0062 * (k % 25 - 12), 0.0062 * (k / 25 % 15 - 7),
+                                                  0.003 + 0.0062 * (k / 375) + 1e-4 * random.uniform(-1, 1)},
+                                     .radius = random.uniform(1, 1.5) * radius});
         add_floor(simulation);
         return simulation;
     };
     auto alone = mixed(nullptr), shared = mixed(&team());
     expect_the_same(alone, shared, 6, 100);
-    EXPECT_GT(shared.particle_contacts(), 100u);
+    EXPECT_GT(shared.counts().contacts, 100u);
 }
 
 TEST(Bed, BeginsAsWithOneRank)
 {
     auto alone = box(nullptr, 400, 0.03), shared = box(&team(), 400, 0.03);
     expect_the_same(alone, shared, 12, 100);
-    EXPECT_GT(shared.particle_contacts(), 100u);
+    EXPECT_GT(shared.counts().contacts, 100u);
     auto const a = alone.energy(), b = shared.energy();
     for (auto const& entry : dem::energy_entries)
         EXPECT_NEAR(a.*entry.value, b.*entry.value, 1e-7 * a.turned_over) << entry.name;
@@ -159,12 +164,12 @@ TEST(Bed, BeginsAsWithOneRankInPeriods)
             add_floor(simulation);
             if (!both)
                 for (double const at : {-0.015, 0.015})
-                    simulation.add_wall(rectangle({0, at, 0}, {0, 0, 1}, {1, 0, 0}));
+                    simulation.add(rectangle({0, at, 0}, {0, 0, 1}, {1, 0, 0}));
             return simulation;
         };
         auto alone = make(nullptr), shared = make(&team());
         expect_the_same(alone, shared, 12, 100);
-        EXPECT_GT(shared.particle_contacts(), 100u);
+        EXPECT_GT(shared.counts().contacts, 100u);
         EXPECT_NEAR(alone.energy().gap(), shared.energy().gap(), 1e-7 * alone.energy().turned_over);
     }
 }
@@ -178,14 +183,14 @@ TEST(Bed, BeginsAsWithOneRankInATurningDrumOfTriangles)
         pour(simulation, 300, 0.03, 0.03, {0, 0, -1});
         auto mesh = demens::testing::mesh_of(demens::testing::drum_triangles(0.05, 0.03, 24, 4));
         mesh.placement.shift = {0, 0, 0.045};
-        simulation.add_wall({.shape = mesh, .spin = {0, 6, 0}, .pivot = {0, 0, 0.045}});
+        simulation.add(dem::Wall{.shape = mesh, .spin = {0, 6, 0}, .pivot = {0, 0, 0.045}});
         for (double const at : {-0.015, 0.015})
-            simulation.add_wall(rectangle({0, at, 0}, {0, 0, 1}, {1, 0, 0}));
+            simulation.add(rectangle({0, at, 0}, {0, 0, 1}, {1, 0, 0}));
         return simulation;
     };
     auto alone = make(nullptr), shared = make(&team());
     expect_the_same(alone, shared, 12, 100);
-    EXPECT_GT(shared.particle_contacts(), 50u);
+    EXPECT_GT(shared.counts().contacts, 50u);
 }
 
 TEST(Bed, ACloudWithoutWallsKeepsItsMomentum)
@@ -193,24 +198,18 @@ TEST(Bed, ACloudWithoutWallsKeepsItsMomentum)
     dem::Simulation simulation(
         springs(1e6), {.time_step = time_step, .gravity = {}, .skin = 0.3 * radius, .team = &team()});
     RandomStream random(5);
-    double momentum = 0;
     for (int k = 0; k < 500; ++k)
-        simulation.add_particle({3 * radius * (k % 8), 3 * radius * (k / 8 % 8), 3 * radius * (k / 64)},
-                                radius, 0,
-                                {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
-    auto const sum = [&] {
-        Vector3 sum{};
-        momentum = 0;
-        auto const& particles = simulation.particles();
-        for (std::size_t k = 0; k < particles.size(); ++k) {
-            sum = sum + particles.motion[k].mass * simulation.velocity(k);
-            momentum += particles.motion[k].mass * norm(simulation.velocity(k));
-        }
-        return sum;
-    };
-    Vector3 const before = sum();
-    simulation.steps(2000);
-    EXPECT_LT(norm(sum() - before), 1e-12 * momentum);
+        simulation.add(
+            dem::Body{.position = {3 * radius * (k % 8), 3 * radius * (k / 8 % 8), 3 * radius * (k / 64)},
+                      .radius = radius,
+                      .velocity = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}});
+    Vector3 const before = momenta_of(simulation, {}).linear;
+    simulation.advance(2000);
+    double momentum = 0;
+    auto const now = state_of(simulation);
+    for (std::size_t k = 0; k < now.size(); ++k)
+        momentum += now.mass(k) * norm(now.velocity(k));
+    EXPECT_LT(norm(momenta_of(simulation, {}).linear - before), 1e-12 * momentum);
 }
 
 } // namespace

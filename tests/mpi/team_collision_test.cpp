@@ -15,11 +15,11 @@ constexpr double radius = 5e-3, time_step = 5e-6;
 void add_bystanders(dem::Simulation& simulation, int left, int right, double cut)
 {
     if (cut != 0)
-        simulation.add_particle({cut, 1, 0}, radius, 0);
+        simulation.add(dem::Body{{cut, 1, 0}, radius});
     for (int k = 0; k < left; ++k)
-        simulation.add_particle({-1.0 - 0.02 * k, 1, 0}, radius, 0);
+        simulation.add(dem::Body{{-1.0 - 0.02 * k, 1, 0}, radius});
     for (int k = 0; k < right; ++k)
-        simulation.add_particle({1.0 + 0.02 * k, 1, 0}, radius, 0);
+        simulation.add(dem::Body{{1.0 + 0.02 * k, 1, 0}, radius});
 }
 
 struct Case
@@ -30,7 +30,7 @@ struct Case
     Vector3 drift;    // of both [m/s]
 };
 
-class Collision : public testing::TestWithParam<Case>
+class Collision : public ::testing::TestWithParam<Case>
 {
   protected:
     static dem::Simulation make(dem::Team* team, Case const& c)
@@ -41,10 +41,14 @@ class Collision : public testing::TestWithParam<Case>
                                                   .energy_ledger = true,
                                                   .team = team});
         double const from = c.drift.x < 0 ? 0.08 : c.drift.x > 0 ? -0.08 : 0;
-        simulation.add_particle({from - 1.01 * radius, 1e-3, 0}, radius, 0, c.drift + 0.5 * c.approach,
-                                {3, 50, 20});
-        simulation.add_particle({from + 1.01 * radius, 0, 1e-3}, 0.9 * radius, 0, c.drift - 0.5 * c.approach,
-                                {0, 40, -10});
+        simulation.add(dem::Body{.position = {from - 1.01 * radius, 1e-3, 0},
+                                 .radius = radius,
+                                 .velocity = c.drift + 0.5 * c.approach,
+                                 .spin = {3, 50, 20}});
+        simulation.add(dem::Body{.position = {from + 1.01 * radius, 0, 1e-3},
+                                 .radius = 0.9 * radius,
+                                 .velocity = c.drift - 0.5 * c.approach,
+                                 .spin = {0, 40, -10}});
         add_bystanders(simulation, c.left, c.right, 0.6 * from);
         return simulation;
     }
@@ -56,13 +60,13 @@ TEST_P(Collision, IsThatOfOneRank)
     int touching = 0, moves = 0;
     std::size_t here = 0;
     for (int k = 0; k < 3000; ++k) {
-        alone.step();
-        shared.step();
-        ASSERT_EQ(alone.particle_contacts(), shared.particle_contacts()) << "step " << k;
-        auto const contacts = alone.particle_contacts();
+        alone.advance(1);
+        shared.advance(1);
+        ASSERT_EQ(alone.counts().contacts, shared.counts().contacts) << "step " << k;
+        auto const contacts = alone.counts().contacts;
         touching += contacts > 0;
-        moves += k > 0 && contacts > 0 && team().any(here != shared.particles_here());
-        here = shared.particles_here();
+        moves += k > 0 && contacts > 0 && team().any(here != shared.counts().particles_of_rank);
+        here = shared.counts().particles_of_rank;
         if (k % 10 > 0)
             continue;
         auto const difference = difference_of(alone, shared);
@@ -76,7 +80,7 @@ TEST_P(Collision, IsThatOfOneRank)
         ASSERT_EQ(left.z, 0);
     }
     EXPECT_GT(touching, 500);
-    EXPECT_EQ(alone.particle_contacts(), 0u);
+    EXPECT_EQ(alone.counts().contacts, 0u);
     if (GetParam().drift.x != 0 && team().size() == 2) {
         EXPECT_GE(moves, 2) << "both spheres were to change their owner while they touch";
     }
@@ -86,11 +90,11 @@ TEST_P(Collision, IsThatOfOneRank)
 }
 
 INSTANTIATE_TEST_SUITE_P(Team, Collision,
-                         testing::Values(Case{"head_on", 0, 0, {1, 0, 0}, {}},
-                                         Case{"oblique", 0, 0, {1, 0.8, 0.3}, {}},
-                                         Case{"oblique_among_others", 99, 99, {1, 0.8, 0.3}, {}},
-                                         Case{"oblique_to_the_right", 99, 102, {1, 0.8, 0.3}, {20, 0, 0}},
-                                         Case{"oblique_to_the_left", 101, 100, {1, 0.8, 0.3}, {-20, 0, 0}}),
+                         ::testing::Values(Case{"head_on", 0, 0, {1, 0, 0}, {}},
+                                           Case{"oblique", 0, 0, {1, 0.8, 0.3}, {}},
+                                           Case{"oblique_among_others", 99, 99, {1, 0.8, 0.3}, {}},
+                                           Case{"oblique_to_the_right", 99, 102, {1, 0.8, 0.3}, {20, 0, 0}},
+                                           Case{"oblique_to_the_left", 101, 100, {1, 0.8, 0.3}, {-20, 0, 0}}),
                          [](auto const& info) { return std::string(info.param.name); });
 
 TEST(FewParticles, AsManyAsThereAreMoveAndBounce)
@@ -100,23 +104,23 @@ TEST(FewParticles, AsManyAsThereAreMoveAndBounce)
             dem::Simulation simulation(springs(1e6),
                                        {.time_step = time_step, .skin = 0.2 * radius, .team = team});
             for (int k = 0; k < count; ++k)
-                simulation.add_particle({0.03 * k, 0, 1.5 * radius}, radius, 0);
-            simulation.add_wall(rectangle({}, {1, 0, 0}, {0, 1, 0}));
+                simulation.add(dem::Body{{0.03 * k, 0, 1.5 * radius}, radius});
+            simulation.add(rectangle({}, {1, 0, 0}, {0, 1, 0}));
             return simulation;
         };
         auto alone = make(nullptr), shared = make(&team());
         for (int k = 0; k < 10; ++k) {
-            alone.steps(200), shared.steps(200);
-            ASSERT_EQ(shared.check_health(), dem::Health::good);
-            ASSERT_EQ(shared.particles().size(), static_cast<std::size_t>(count));
+            alone.advance(200), shared.advance(200);
+            ASSERT_EQ(shared.health(), dem::Health::good);
+            ASSERT_EQ(shared.counts().particles, static_cast<std::size_t>(count));
             ASSERT_LT(difference_of(alone, shared).place, 1e-14);
-            ASSERT_EQ(alone.wall_contacts(), shared.wall_contacts());
+            ASSERT_EQ(alone.counts().wall_contacts, shared.counts().wall_contacts);
             ASSERT_NEAR(alone.kinetic_energy(), shared.kinetic_energy(), 1e-15);
             ASSERT_NEAR(alone.largest_speed(), shared.largest_speed(), 1e-12);
         }
         // Another one enters while the others move.
-        alone.add_particle({0.1, 0.1, 0.1}, radius, 0), shared.add_particle({0.1, 0.1, 0.1}, radius, 0);
-        alone.steps(300), shared.steps(300);
+        alone.add(dem::Body{{0.1, 0.1, 0.1}, radius}), shared.add(dem::Body{{0.1, 0.1, 0.1}, radius});
+        alone.advance(300), shared.advance(300);
         ASSERT_LT(difference_of(alone, shared).place, 1e-14);
     }
 }
@@ -129,15 +133,16 @@ TEST(Escape, IsSeenByAllRanks)
                                               .domain_upper = {1, 1, 1},
                                               .team = &team()});
     for (int k = 0; k < 5; ++k)
-        simulation.add_particle({0.1 * k, 0, 0.1}, radius, 0, {0, 0, k == 4 ? -10.0 : 0.0});
-    simulation.steps(50);
-    EXPECT_EQ(simulation.check_health(), dem::Health::good);
-    simulation.steps(2500);
-    EXPECT_EQ(simulation.check_health(), dem::Health::escaped);
-    simulation.add_particle({0, 0, 0.5}, radius, 0);
-    simulation.steps(10);
-    EXPECT_EQ(simulation.particles().size(), 6u);
-    EXPECT_EQ(simulation.check_health(), dem::Health::escaped);
+        simulation.add(dem::Body{
+            .position = {0.1 * k, 0, 0.1}, .radius = radius, .velocity = {0, 0, k == 4 ? -10.0 : 0.0}});
+    simulation.advance(50);
+    EXPECT_EQ(simulation.health(), dem::Health::good);
+    simulation.advance(2500);
+    EXPECT_EQ(simulation.health(), dem::Health::escaped);
+    simulation.add(dem::Body{{0, 0, 0.5}, radius});
+    simulation.advance(10);
+    EXPECT_EQ(simulation.counts().particles, 6u);
+    EXPECT_EQ(simulation.health(), dem::Health::escaped);
 }
 
 } // namespace
@@ -145,7 +150,7 @@ TEST(Escape, IsSeenByAllRanks)
 int main(int argc, char** argv)
 {
     MPI_Init(&argc, &argv);
-    testing::InitGoogleTest(&argc, argv);
+    ::testing::InitGoogleTest(&argc, argv);
     int failed = RUN_ALL_TESTS();
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
     MPI_Finalize();

@@ -2,10 +2,14 @@
 
 #include "demens/dem/simulation.hpp"
 #include "ensemble/mpi/mpi_team.hpp"
+#include "tests/support/state.hpp"
 
 #include <gtest/gtest.h>
 
 namespace demens::test {
+
+using testing::momenta_of;
+using testing::state_of;
 
 //! All ranks of the test as one team.
 inline dem::Team& team()
@@ -32,17 +36,12 @@ inline dem::Wall rectangle(Vector3 const& centre, Vector3 const& u, Vector3 cons
                 dem::Rectangle{.centre = centre, .axis_u = u, .axis_v = v, .half_u = half, .half_v = half}};
 }
 
-inline Vector3 place_of(dem::Particles const& particles, std::size_t k)
-{
-    return {particles.place[k].x, particles.place[k].y, particles.place[k].z};
-}
-
 //! Number of each particle by its id, in a simulation that may be of one rank.
-inline std::vector<std::size_t> numbers_by_id(dem::Particles const& particles)
+inline std::vector<std::size_t> numbers_by_id(dem::StateView const& particles)
 {
     std::vector<std::size_t> numbers(particles.size());
     for (std::size_t k = 0; k < particles.size(); ++k)
-        numbers[particles.id[k]] = k;
+        numbers[particles.id(k).value] = k;
     return numbers;
 }
 
@@ -51,32 +50,32 @@ struct Difference
 {
     double place = 0, velocity = 0, spin = 0;
 };
-inline Difference difference_of(dem::Simulation const& a, dem::Simulation const& b)
+inline Difference difference_of(dem::Simulation& a, dem::Simulation& b)
 {
     Difference difference;
-    auto const in_a = numbers_by_id(a.particles()), in_b = numbers_by_id(b.particles());
+    auto const now_a = state_of(a), now_b = state_of(b);
+    auto const in_a = numbers_by_id(now_a), in_b = numbers_by_id(now_b);
     EXPECT_EQ(in_a.size(), in_b.size());
     for (std::size_t id = 0; id < std::min(in_a.size(), in_b.size()); ++id) {
         auto const i = in_a[id], j = in_b[id];
-        difference.place =
-            std::max(difference.place, norm(place_of(a.particles(), i) - place_of(b.particles(), j)));
-        difference.velocity = std::max(difference.velocity, norm(a.velocity(i) - b.velocity(j)));
-        difference.spin = std::max(difference.spin, norm(a.spin(i) - b.spin(j)));
+        difference.place = std::max(difference.place, norm(now_a.position(i) - now_b.position(j)));
+        difference.velocity = std::max(difference.velocity, norm(now_a.velocity(i) - now_b.velocity(j)));
+        difference.spin = std::max(difference.spin, norm(now_a.spin(i) - now_b.spin(j)));
     }
     return difference;
 }
 
 //! All forces on particles and walls: nothing is left where action equals reaction [N].
-inline Vector3 sum_of_forces(dem::Simulation const& simulation, double& magnitude)
+inline Vector3 sum_of_forces(dem::Simulation& simulation, double& magnitude)
 {
     Vector3 sum{};
     magnitude = 0;
-    for (auto const& load : simulation.particles().load) {
-        Vector3 const force{load.fx, load.fy, load.fz};
-        sum = sum + force;
-        magnitude += norm(force);
+    auto const now = state_of(simulation);
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        sum = sum + now.force(k);
+        magnitude += norm(now.force(k));
     }
-    for (auto const& load : simulation.wall_loads())
+    for (auto const& load : simulation.read_wall_loads())
         sum = sum + load.force;
     return sum;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "demens/dem/simulation.hpp"
+#include "tests/support/state.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -36,32 +36,26 @@ inline Collision collide(dem::Simulation& simulation, bool with_wall)
     Collision result;
     bool touched = false;
     for (int k = 0; k < 2'000'000; ++k) {
-        simulation.step();
-        std::size_t const contacts = with_wall ? simulation.wall_contacts() : simulation.particle_contacts();
+        simulation.advance(1);
+        std::size_t const contacts =
+            with_wall ? simulation.counts().wall_contacts : simulation.counts().contacts;
         if (contacts == 0 && touched)
             break;
         if (contacts == 0)
             continue;
         touched = true;
         result.contact_time += simulation.options().time_step;
-        auto const& p = simulation.particles();
-        double overlap;
-        if (with_wall) {
-            overlap = p.place[0].radius - p.place[0].z;
-        } else {
-            double const dx = p.place[0].x - p.place[1].x, dy = p.place[0].y - p.place[1].y,
-                         dz = p.place[0].z - p.place[1].z;
-            overlap = p.place[0].radius + p.place[1].radius - std::sqrt(dx * dx + dy * dy + dz * dz);
-        }
+        auto const now = state_of(simulation);
+        double const overlap = with_wall
+                                   ? now.radius(0) - now.position(0).z
+                                   : now.radius(0) + now.radius(1) - norm(now.position(0) - now.position(1));
         result.largest_overlap = std::max(result.largest_overlap, overlap);
-        auto const& load = p.load[0];
-        result.largest_force = std::max(result.largest_force,
-                                        std::sqrt(load.fx * load.fx + load.fy * load.fy + load.fz * load.fz));
+        result.largest_force = std::max(result.largest_force, norm(now.force(0)));
     }
-    auto const& p = simulation.particles();
-    for (std::size_t k = 0; k < p.size() && k < 2; ++k) {
-        result.velocity[p.id[k]] = simulation.velocity(k);
-        result.spin[p.id[k]] = simulation.spin(k);
+    auto const now = state_of(simulation);
+    for (std::size_t k = 0; k < now.size() && k < 2; ++k) {
+        result.velocity[now.id(k).value] = now.velocity(k);
+        result.spin[now.id(k).value] = now.spin(k);
     }
     return result;
 }
@@ -71,10 +65,13 @@ inline Collision hit_plane(contact::Model const& model, Sphere const& sphere, do
                            std::uint32_t wall_material = 0)
 {
     dem::Simulation simulation(model, {.time_step = time_step, .gravity = {}, .skin = 0.1 * sphere.radius});
-    simulation.add_particle({0, 0, sphere.radius * (1 + 1e-9)}, sphere.radius, sphere.material,
-                            sphere.velocity, sphere.spin);
-    simulation.add_wall(
-        {.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1e6, 1e6}, .material = wall_material});
+    simulation.add(dem::Body{.position = {0, 0, sphere.radius * (1 + 1e-9)},
+                             .radius = sphere.radius,
+                             .material = dem::MaterialId{sphere.material},
+                             .velocity = sphere.velocity,
+                             .spin = sphere.spin});
+    simulation.add(
+        dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1e6, 1e6}, .material = wall_material});
     return collide(simulation, true);
 }
 
@@ -84,8 +81,16 @@ inline Collision hit_each_other(contact::Model const& model, Sphere const& a, Sp
 {
     dem::Simulation simulation(
         model, {.time_step = time_step, .gravity = {}, .skin = 0.1 * std::min(a.radius, b.radius)});
-    simulation.add_particle({-a.radius * (1 + 1e-9), 0, 0}, a.radius, a.material, a.velocity, a.spin);
-    simulation.add_particle({b.radius * (1 + 1e-9), 0, 0}, b.radius, b.material, b.velocity, b.spin);
+    simulation.add(dem::Body{.position = {-a.radius * (1 + 1e-9), 0, 0},
+                             .radius = a.radius,
+                             .material = dem::MaterialId{a.material},
+                             .velocity = a.velocity,
+                             .spin = a.spin});
+    simulation.add(dem::Body{.position = {b.radius * (1 + 1e-9), 0, 0},
+                             .radius = b.radius,
+                             .material = dem::MaterialId{b.material},
+                             .velocity = b.velocity,
+                             .spin = b.spin});
     return collide(simulation, false);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/support/reference_loop.hpp"
+#include "tests/support/state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,12 +32,13 @@ class Difference
 //! Places, velocities, spins and loads of all particles, and loads of walls, as in the plain loop, but for a
 //! share of the largest of each. Where forces give no torque, torques are rounding: force times radius
 //! counts.
-inline void expect_equal(dem::Simulation const& simulation, ReferenceLoop const& reference, double tolerance)
+inline void expect_equal(dem::Simulation& simulation, ReferenceLoop const& reference, double tolerance)
 {
-    auto const& particles = simulation.particles();
+    auto const particles = state_of(simulation);
     auto const& periods = simulation.options().periodic;
     ASSERT_EQ(particles.size(), reference.bodies().size());
-    ASSERT_EQ(simulation.wall_loads().size(), reference.wall_loads().size());
+    auto const wall_loads = simulation.read_wall_loads();
+    ASSERT_EQ(wall_loads.size(), reference.wall_loads().size());
     double largest_moment = 0, largest_surface_speed = 0;
     for (auto const& body : reference.bodies()) {
         largest_moment = std::max(largest_moment, norm(body.force) * body.radius);
@@ -45,19 +47,18 @@ inline void expect_equal(dem::Simulation const& simulation, ReferenceLoop const&
     Difference position, velocity, spin{1e-3 * largest_surface_speed}, force, torque{largest_moment},
         wall_force, wall_torque;
     for (std::size_t k = 0; k < particles.size(); ++k) {
-        std::uint32_t const id = particles.id[k];
+        std::uint32_t const id = particles.id(k).value;
         auto const& body = reference.bodies().at(id);
-        dem::Place const& p = particles.place[k];
-        dem::Load const& l = particles.load[k];
+        dem::Place const& p = particles.place(k);
         position.add({periods.x.wrapped(p.x), periods.y.wrapped(p.y), p.z}, body.position);
-        velocity.add(simulation.velocity(k), reference.velocity(id));
-        spin.add(simulation.spin(k), reference.spin(id));
-        force.add({l.fx, l.fy, l.fz}, body.force);
-        torque.add({l.tx, l.ty, l.tz}, body.torque);
+        velocity.add(particles.velocity(k), reference.velocity(id));
+        spin.add(particles.spin(k), reference.spin(id));
+        force.add(particles.force(k), body.force);
+        torque.add(particles.torque(k), body.torque);
     }
     for (std::size_t w = 0; w < reference.wall_loads().size(); ++w) {
-        wall_force.add(simulation.wall_loads()[w].force, reference.wall_loads()[w].force);
-        wall_torque.add(simulation.wall_loads()[w].torque, reference.wall_loads()[w].torque);
+        wall_force.add(wall_loads[w].force, reference.wall_loads()[w].force);
+        wall_torque.add(wall_loads[w].torque, reference.wall_loads()[w].torque);
     }
     EXPECT_LE(position.share(), tolerance);
     EXPECT_LE(velocity.share(), tolerance);
@@ -69,22 +70,15 @@ inline void expect_equal(dem::Simulation const& simulation, ReferenceLoop const&
 }
 
 //! Whether two simulations have the same state, bit for bit, in the same order.
-inline bool same_motion(dem::Simulation const& a, dem::Simulation const& b)
+inline bool same_motion(dem::Simulation& a, dem::Simulation& b)
 {
-    auto const& p = a.particles();
-    auto const& q = b.particles();
-    auto const same_place = [](dem::Place const& x, dem::Place const& y) {
-        return x.x == y.x && x.y == y.y && x.z == y.z && x.radius == y.radius;
-    };
-    auto const same_motion = [](dem::Motion const& x, dem::Motion const& y) {
-        return x.vx == y.vx && x.vy == y.vy && x.vz == y.vz && x.wx == y.wx && x.wy == y.wy && x.wz == y.wz;
-    };
-    auto const same_load = [](dem::Load const& x, dem::Load const& y) {
-        return x.fx == y.fx && x.fy == y.fy && x.fz == y.fz && x.tx == y.tx && x.ty == y.ty && x.tz == y.tz;
-    };
-    return p.id == q.id && std::ranges::equal(p.place, q.place, same_place) &&
-           std::ranges::equal(p.motion, q.motion, same_motion) &&
-           std::ranges::equal(p.load, q.load, same_load);
+    auto const p = state_of(a), q = state_of(b);
+    bool same = p.size() == q.size();
+    for (std::size_t k = 0; same && k < p.size(); ++k)
+        same = p.id(k) == q.id(k) && p.position(k) == q.position(k) && p.radius(k) == q.radius(k) &&
+               p.velocity(k) == q.velocity(k) && p.spin(k) == q.spin(k) && p.force(k) == q.force(k) &&
+               p.torque(k) == q.torque(k);
+    return same;
 }
 
 } // namespace demens::testing

@@ -23,15 +23,15 @@ inline std::vector<PullPoint> pull(contact::Model const& model, double radius, d
     for (auto& material : heavy.materials)
         material.density = 1e12;
     dem::Simulation simulation(heavy, {.time_step = time_step, .gravity = {}, .skin = radius});
-    simulation.add_particle({0, 0, radius - from}, radius, 0);
-    simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1},
-                         .velocity = {0, 0, (to - from) / (steps * time_step)}});
+    simulation.add(dem::Body{{0, 0, radius - from}, radius});
+    simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1},
+                             .velocity = {0, 0, (to - from) / (steps * time_step)}});
     std::vector<PullPoint> curve;
     for (int k = 0; k < steps; ++k) {
-        simulation.step();
+        simulation.advance(1);
         auto const& plane = std::get<dem::Rectangle>(simulation.walls()[0].shape);
-        auto const& place = simulation.particles().place[0];
-        curve.push_back({place.radius - (place.z - plane.centre.z), simulation.particles().load[0].fz});
+        auto const now = state_of(simulation);
+        curve.push_back({now.radius(0) - (now.position(0).z - plane.centre.z), now.force(0).z});
     }
     return curve;
 }

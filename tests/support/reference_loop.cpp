@@ -58,21 +58,21 @@ ReferenceLoop::ReferenceLoop(contact::Model const& model, dem::SimulationOptions
     }
 }
 
-void ReferenceLoop::add_particle(Vector3 const& position, double radius, std::uint32_t material,
-                                 Vector3 const& velocity, Vector3 const& spin)
+void ReferenceLoop::add(dem::Body const& body)
 {
+    double const radius = body.radius;
     double const volume = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-    double const mass = materials_.at(material).density * volume;
+    double const mass = materials_.at(body.material.value).density * volume;
     bodies_.push_back({.radius = radius,
                        .mass = mass,
                        .inertia = 0.4 * mass * radius * radius,
-                       .material = material,
-                       .position = position,
-                       .velocity = velocity,
-                       .spin = spin});
+                       .material = body.material.value,
+                       .position = body.position,
+                       .velocity = body.velocity,
+                       .spin = body.spin});
 }
 
-void ReferenceLoop::add_wall(dem::Wall const& wall)
+void ReferenceLoop::add(dem::Wall const& wall)
 {
     walls_.push_back(wall);
 }

@@ -27,9 +27,8 @@ class ReferenceLoop
     ReferenceLoop(contact::Model const& model, dem::SimulationOptions const& options);
 
     //! As those of `dem::Simulation`; bodies are numbered in the order in which they were added.
-    void add_particle(Vector3 const& position, double radius, std::uint32_t material,
-                      Vector3 const& velocity = {}, Vector3 const& spin = {});
-    void add_wall(dem::Wall const& wall);
+    void add(dem::Body const& body);
+    void add(dem::Wall const& wall);
     void step();
     void steps(int count)
     {

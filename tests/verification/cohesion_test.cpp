@@ -43,15 +43,17 @@ double pull_off_of_pair(contact::Model model, double radius_i, double radius_j)
     double const time_step = 1e-6, overlap = 1e-7, path = 4e-6;
     int const steps = 20000;
     dem::Simulation simulation(model, {.time_step = time_step, .gravity = {}, .skin = radius_i});
-    simulation.add_particle({}, radius_i, 0);
-    simulation.add_particle({radius_i + radius_j - overlap, 0, 0}, radius_j, 0,
-                            {path / (steps * time_step), 0, 0});
+    simulation.add(dem::Body{{}, radius_i});
+    simulation.add(dem::Body{.position = {radius_i + radius_j - overlap, 0, 0},
+                             .radius = radius_j,
+                             .velocity = {path / (steps * time_step), 0, 0}});
     double largest = 0;
     for (int k = 0; k < steps; ++k) {
-        simulation.step();
+        simulation.advance(1);
+        auto const now = state_of(simulation);
         for (std::size_t p = 0; p < 2; ++p)
-            if (simulation.particles().id[p] == 0)
-                largest = std::max(largest, simulation.particles().load[p].fx);
+            if (now.id(p).value == 0)
+                largest = std::max(largest, now.force(p).x);
     }
     return largest;
 }
@@ -175,12 +177,12 @@ TEST(LinearCohesion, TakesTheLensOfTwoUnequalSpheres)
     double const r = radius, R = 3 * radius, c = r + R - 5e-6;
     double const square = R * R - std::pow((c * c - r * r + R * R) / (2 * c), 2);
     dem::Simulation simulation(model, {.time_step = 1e-15, .gravity = {}, .skin = radius});
-    simulation.add_particle({}, R, 0);
-    simulation.add_particle({c, 0, 0}, r, 0);
-    simulation.step();
+    simulation.add(dem::Body{{}, R});
+    simulation.add(dem::Body{{c, 0, 0}, r});
+    simulation.advance(1);
     double const effective = r * R / (r + R);
     double const repulsion = 4.0 / 3 * plane_modulus * std::sqrt(effective) * std::pow(5e-6, 1.5);
-    EXPECT_NEAR(std::abs(simulation.particles().load[0].fx), std::abs(repulsion - 1e5 * pi * square),
+    EXPECT_NEAR(std::abs(state_of(simulation).force(0).x), std::abs(repulsion - 1e5 * pi * square),
                 1e-6 * repulsion);
 }
 
@@ -203,11 +205,12 @@ TEST(CohesionInLimit, DecidesWhetherAdhesionRaisesFriction)
         double const overlap =
             std::pow(0.75 * (mass * g + adhesion) / (plane_modulus * std::sqrt(radius)), 2.0 / 3);
         dem::Simulation simulation(model, {.time_step = 1e-7, .skin = radius});
-        simulation.add_particle({0, 0, radius - overlap}, radius, 0, {0.1, 0, 0});
-        simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
-        simulation.steps(20000);
+        simulation.add(
+            dem::Body{.position = {0, 0, radius - overlap}, .radius = radius, .velocity = {0.1, 0, 0}});
+        simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+        simulation.advance(20000);
         double const braking = mu * (in_limit ? 1.0 : 1.5) * g * simulation.time();
-        EXPECT_NEAR(0.1 - simulation.velocity(0).x, braking, 0.01 * braking) << in_limit;
+        EXPECT_NEAR(0.1 - state_of(simulation).velocity(0).x, braking, 0.01 * braking) << in_limit;
     }
 }
 

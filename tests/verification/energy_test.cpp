@@ -36,17 +36,19 @@ void add_rain(dem::Simulation& simulation, int across, int layers, Vector3 const
 {
     RandomStream random(3);
     for (int k = 0; k < across * across * layers; ++k)
-        simulation.add_particle(
-            corner + Vector3{2.1 * radius * (0.5 + k % across) + 0.1 * radius * random.uniform(),
-                             2.1 * radius * (0.5 + k / across % across) + 0.1 * radius * random.uniform(),
-                             2.1 * radius * (0.6 + k / (across * across))},
-            random.uniform(0.9, 1.0) * radius, 0, {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0});
+        simulation.add(dem::Body{
+            .position =
+                corner + Vector3{2.1 * radius * (0.5 + k % across) + 0.1 * radius * random.uniform(),
+                                 2.1 * radius * (0.5 + k / across % across) + 0.1 * radius * random.uniform(),
+                                 2.1 * radius * (0.6 + k / (across * across))},
+            .radius = random.uniform(0.9, 1.0) * radius,
+            .velocity = {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0}});
 }
 
 void add_sides(dem::Simulation& simulation, double side)
 {
     auto const wall = [&](Vector3 centre, Vector3 u, Vector3 v) {
-        simulation.add_wall({.shape = dem::Rectangle{centre, u, v, 1, 1}});
+        simulation.add(dem::Wall{.shape = dem::Rectangle{centre, u, v, 1, 1}});
     };
     wall({}, {1, 0, 0}, {0, 1, 0});
     wall({}, {0, 1, 0}, {0, 0, 1}), wall({side, 0, 0}, {0, 1, 0}, {0, 0, 1});
@@ -74,12 +76,12 @@ TEST(Energy, ElasticImpactGivesBackWhatItTook)
     dem::Simulation simulation(
         one_material(grain, pair),
         {.time_step = time_step, .gravity = {}, .skin = radius, .energy_ledger = true});
-    simulation.add_particle({0, 0, radius * 1.01}, radius, 0, {0.3, 0, -1});
-    simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+    simulation.add(dem::Body{.position = {0, 0, radius * 1.01}, .radius = radius, .velocity = {0.3, 0, -1}});
+    simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
     double const kinetic = 0.5 * 2500 * 4.0 / 3 * std::numbers::pi * std::pow(radius, 3);
     double most_elastic = 0;
     for (int k = 0; k < 300; ++k) {
-        simulation.step();
+        simulation.advance(1);
         auto const energy = simulation.energy();
         most_elastic = std::max(most_elastic, energy.elastic_normal);
         EXPECT_NEAR(energy.closure_error(), 0, 1e-2) << k;
@@ -102,12 +104,12 @@ TEST(Energy, LossesAreThoseOfTheRebound)
     dem::Simulation simulation(
         one_material(grain, pair),
         {.time_step = 0.05 * time_step, .gravity = {}, .skin = radius, .energy_ledger = true});
-    simulation.add_particle({0, 0, radius * 1.01}, radius, 0, {vt, 0, -vn});
-    simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
-    simulation.steps(6000);
+    simulation.add(dem::Body{.position = {0, 0, radius * 1.01}, .radius = radius, .velocity = {vt, 0, -vn}});
+    simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+    simulation.advance(6000);
     double const mass = 2500 * 4.0 / 3 * std::numbers::pi * std::pow(radius, 3);
     auto const energy = simulation.energy();
-    EXPECT_GT(simulation.velocity(0).z, 0);
+    EXPECT_GT(state_of(simulation).velocity(0).z, 0);
     double const damped = 0.5 * mass * (1 - e * e) * vn * vn;
     double const rubbed = mu * (1 + e) * mass * vn * (vt - 1.75 * mu * (1 + e) * vn);
     EXPECT_NEAR(energy.lost_to_damping, damped, 0.005 * damped);
@@ -141,10 +143,10 @@ TEST(Energy, ClosesInASettlingBoxForEveryLaw)
         auto simulation = settling_box(pair);
         double worst = 0;
         for (int k = 0; k < 60; ++k) {
-            simulation.steps(100);
+            simulation.advance(100);
             worst = std::max(worst, std::abs(simulation.energy().closure_error()));
         }
-        ASSERT_EQ(simulation.check_health(), dem::Health::good);
+        ASSERT_EQ(simulation.health(), dem::Health::good);
         auto const energy = simulation.energy();
         std::string const which =
             std::to_string(static_cast<int>(normal)) + std::to_string(static_cast<int>(tangential)) +
@@ -160,16 +162,16 @@ TEST(Energy, ClosesInATurningDrum)
                                {.time_step = time_step, .skin = 0.3 * radius, .energy_ledger = true});
     double const drum = 8 * radius, rate = 6;
     add_rain(simulation, 4, 4, {-4.4 * radius, -4.4 * radius, -5 * radius});
-    simulation.add_wall({.shape = dem::Cylinder{{}, {0, 1, 0}, 1, drum}, .spin = {0, rate, 0}});
+    simulation.add(dem::Wall{.shape = dem::Cylinder{{}, {0, 1, 0}, 1, drum}, .spin = {0, rate, 0}});
     for (double const y : {-4.6 * radius, 4.6 * radius})
-        simulation.add_wall(
-            {.shape = dem::Disc{{0, y, 0}, {0, 1, 0}, drum}, .spin = {0, rate, 0}, .pivot = {0, y, 0}});
+        simulation.add(dem::Wall{
+            .shape = dem::Disc{{0, y, 0}, {0, 1, 0}, drum}, .spin = {0, rate, 0}, .pivot = {0, y, 0}});
     double worst = 0;
     for (int k = 0; k < 80; ++k) {
-        simulation.steps(200);
+        simulation.advance(200);
         worst = std::max(worst, std::abs(simulation.energy().closure_error()));
     }
-    ASSERT_EQ(simulation.check_health(), dem::Health::good);
+    ASSERT_EQ(simulation.health(), dem::Health::good);
     auto const energy = simulation.energy();
     EXPECT_LT(worst, 5e-3);
     // The drum drives what is lost, most of it after the particles have fallen.
@@ -180,20 +182,19 @@ TEST(Energy, WallsThatMoveAndGoAreAccountedFor)
 {
     // A lid presses the settled bed and is then taken away at once.
     auto simulation = settling_box(usual());
-    simulation.steps(6000);
+    simulation.advance(6000);
     double top = 0;
-    for (auto const& p : simulation.particles().place)
+    for (auto const& p : state_of(simulation).places())
         top = std::max(top, p.z + p.radius);
-    dem::Wall lid{.shape = dem::Rectangle{{0, 0, top}, {1, 0, 0}, {0, 1, 0}, 1, 1}, .velocity = {0, 0, -0.1}};
-    auto const number = simulation.add_wall(lid);
-    simulation.steps(1000);
+    dem::Wall const lid{.shape = dem::Rectangle{{0, 0, top}, {1, 0, 0}, {0, 1, 0}, 1, 1},
+                        .velocity = {0, 0, -0.1}};
+    auto const number = simulation.add(lid);
+    simulation.advance(1000);
     auto const pressed = simulation.energy();
     EXPECT_GT(pressed.work_of_walls, 0.1 * pressed.turned_over);
     EXPECT_LT(std::abs(pressed.closure_error()), 5e-3);
-    lid = simulation.walls()[number];
-    lid.active = false;
-    simulation.set_wall(number, lid);
-    simulation.steps(3000);
+    simulation.activate(number, false);
+    simulation.advance(3000);
     auto const released = simulation.energy();
     EXPECT_LT(released.work_of_walls, pressed.work_of_walls);
     EXPECT_LT(std::abs(released.closure_error()), 5e-3);
@@ -204,13 +205,12 @@ TEST(Energy, LedgerDoesNotChangeTheMotion)
     auto pair = usual();
     pair.cohesion = contact::CohesionLaw::capillary;
     auto with = settling_box(pair), without = settling_box(pair, false);
-    with.steps(3000);
-    without.steps(3000);
-    for (std::size_t k = 0; k < with.particles().size(); ++k) {
-        auto const &a = with.particles().place[k], &b = without.particles().place[k];
-        EXPECT_EQ(a.x, b.x);
-        EXPECT_EQ(a.y, b.y);
-        EXPECT_EQ(a.z, b.z);
+    with.advance(3000);
+    without.advance(3000);
+    auto const a = with.read(dem::Fields::places), b = without.read(dem::Fields::places);
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        EXPECT_EQ(a.position(k), b.position(k));
     }
 }
 

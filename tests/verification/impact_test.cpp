@@ -220,11 +220,11 @@ TEST(Impact, SteelSphereSlidesOnAWallAcrossCodes)
                                {.time_step = time_step, .gravity = {5, 0, -5}, .skin = 1e-4});
     double const mass = 7850 * 4.0 / 3 * std::numbers::pi * 1e-9, modulus = 210e9 / (2 * (1 - 0.04));
     double const overlap = std::pow(0.75 * mass * 5 / (modulus * std::sqrt(1e-3)), 2.0 / 3); // at rest
-    simulation.add_particle({0, 0, 1e-3 - overlap}, 1e-3, 0);
-    simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
-    simulation.steps(50005);
-    EXPECT_NEAR(simulation.velocity(0).x, 0.0200, 5e-5);
-    EXPECT_NEAR(simulation.spin(0).y, 12.50, 5e-3);
+    simulation.add(dem::Body{{0, 0, 1e-3 - overlap}, 1e-3});
+    simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+    simulation.advance(50005);
+    EXPECT_NEAR(state_of(simulation).velocity(0).x, 0.0200, 5e-5);
+    EXPECT_NEAR(state_of(simulation).spin(0).y, 12.50, 5e-3);
 }
 
 } // namespace

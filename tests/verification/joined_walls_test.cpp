@@ -34,7 +34,7 @@ double rebound(std::vector<dem::WallShape> const& shapes, Vector3 const& place, 
     Vector3 const unit = direction / norm(direction);
     simulation.add(dem::Body{place - 1.01 * r * unit, r, {}, 0.5 * unit});
     simulation.advance(20000);
-    return norm(simulation.read(dem::Fields::all).velocity(0));
+    return norm(state_of(simulation).velocity(0));
 }
 
 std::vector<dem::WallShape> box()
@@ -80,11 +80,11 @@ TEST(JoinedWalls, ASphereRollsOverASeamAsOverOnePlane)
         }
         simulation.add(dem::Body{{-2 * r, 0, r}, r, {}, {0.2, 0, 0}, {0, 0.2 / r, 0}});
         double highest = 0;
-        while (simulation.read(dem::Fields::all).place(0).x < 2 * r) {
+        while (state_of(simulation).place(0).x < 2 * r) {
             simulation.advance(1);
-            highest = std::max(highest, simulation.read(dem::Fields::all).place(0).z);
+            highest = std::max(highest, state_of(simulation).place(0).z);
         }
-        return std::pair{norm(simulation.read(dem::Fields::all).velocity(0)), highest};
+        return std::pair{norm(state_of(simulation).velocity(0)), highest};
     };
     auto const [speed, highest] = roll(false);
     auto const [speed_in_two, highest_in_two] = roll(true);

@@ -14,8 +14,10 @@ using demens::testing::collide;
 using demens::testing::Collision;
 using demens::testing::drum_triangles;
 using demens::testing::mesh_of;
+using demens::testing::momenta_of;
 using demens::testing::one_material;
 using demens::testing::plane_triangles;
+using demens::testing::state_of;
 
 constexpr double g = 9.81, r = 0.01;
 contact::Material const stone{"stone", 2500, 1e7, 0.3};
@@ -30,10 +32,9 @@ contact::PairProperties frictional(double friction, double rolling_friction)
     return pair;
 }
 
-Vector3 position(dem::Simulation const& simulation)
+Vector3 position(dem::Simulation& simulation)
 {
-    auto const& p = simulation.particles().place[0];
-    return {p.x, p.y, p.z};
+    return state_of(simulation).position(0);
 }
 
 TEST(Mesh, APlaneAndItsMeshGiveTheSameRebound)
@@ -42,8 +43,9 @@ TEST(Mesh, APlaneAndItsMeshGiveTheSameRebound)
     auto const hit = [](dem::WallShape const& wall, Vector3 const& velocity, Vector3 const& spin) {
         dem::Simulation simulation(one_material(stone, frictional(0.3, 0.1)),
                                    {.time_step = 1e-6, .gravity = {}, .skin = 1e-3});
-        simulation.add_particle({1e-4, 2e-4, r * (1 + 1e-9)}, r, 0, velocity, spin);
-        simulation.add_wall({.shape = wall});
+        simulation.add(dem::Body{
+            .position = {1e-4, 2e-4, r * (1 + 1e-9)}, .radius = r, .velocity = velocity, .spin = spin});
+        simulation.add(dem::Wall{.shape = wall});
         return collide(simulation, true);
     };
     for (auto const& [velocity, spin] : {std::pair{Vector3{0, 0, -2}, Vector3{}},
@@ -70,14 +72,14 @@ Journey travel(dem::WallShape const& wall, contact::PairProperties const& pair, 
 {
     dem::Simulation simulation(one_material(stone, pair),
                                {.time_step = 1e-5, .gravity = {0, 0, -g}, .skin = 1e-3});
-    simulation.add_particle({-0.08, -0.03, r}, r, 0, velocity);
-    simulation.add_wall({.shape = wall});
+    simulation.add(dem::Body{.position = {-0.08, -0.03, r}, .radius = r, .velocity = velocity});
+    simulation.add(dem::Wall{.shape = wall});
     Journey journey;
     for (int k = 0; k < 30; ++k) {
-        simulation.steps(1000);
+        simulation.advance(1000);
         journey.path.push_back(position(simulation));
-        journey.velocity.push_back(simulation.velocity(0));
-        journey.spin.push_back(simulation.spin(0));
+        journey.velocity.push_back(state_of(simulation).velocity(0));
+        journey.spin.push_back(state_of(simulation).spin(0));
     }
     return journey;
 }
@@ -116,9 +118,9 @@ TEST(Mesh, ATiltedMeshInSinglePrecisionIsSmoothToo)
     auto const roll = [&](dem::WallShape const& wall) {
         dem::Simulation simulation(one_material(stone, frictional(0.6, 0)),
                                    {.time_step = 1e-5, .skin = 1e-3});
-        simulation.add_particle(tilt({-0.1, 0.01, r}), r, 0);
-        simulation.add_wall({.shape = wall});
-        simulation.steps(25000);
+        simulation.add(dem::Body{tilt({-0.1, 0.01, r}), r});
+        simulation.add(dem::Wall{.shape = wall});
+        simulation.advance(25000);
         return std::pair{position(simulation), simulation.kinetic_energy()};
     };
     auto const [path, energy] = roll(dem::placed(plane, tilt));
@@ -138,9 +140,9 @@ TEST(Mesh, FrictionHoldsASphereOnACornerOfTheMesh)
         dem::Simulation simulation(
             one_material(stone, pair),
             {.time_step = 2e-5, .gravity = {g * std::sin(angle), 0, -g * std::cos(angle)}, .skin = 1e-3});
-        simulation.add_particle({0, 0, r}, r, 0);
-        simulation.add_wall({.shape = wall});
-        simulation.steps(50000);
+        simulation.add(dem::Body{{0, 0, r}, r});
+        simulation.add(dem::Wall{.shape = wall});
+        simulation.advance(50000);
         return position(simulation);
     };
     auto soup = plane_triangles(0.05, 40);
@@ -163,22 +165,23 @@ TEST(Mesh, ATurningDrumOfFacetsCarriesASphereLikeACylinder)
     pair.rolling = contact::RollingLaw::constant_torque;
     dem::Simulation simulation(one_material(stone, pair), {.time_step = 2e-5, .skin = 2e-3});
     double const angle = std::atan(mu_r), distance = radius - r;
-    simulation.add_particle({-distance * std::sin(angle), 0.003, -distance * std::cos(angle)}, r, 0, {},
-                            {0, rate * radius / r, 0});
-    auto const drum = simulation.add_wall({.shape = mesh_of(drum_triangles(radius, 0.05, 400, 12))});
-    simulation.set_motions(drum, {{dem::Rotate{{}, {0, 1, 0}, rate}}});
-    simulation.steps(20000);
+    simulation.add(dem::Body{.position = {-distance * std::sin(angle), 0.003, -distance * std::cos(angle)},
+                             .radius = r,
+                             .spin = {0, rate * radius / r, 0}});
+    auto const drum = simulation.add(dem::Wall{.shape = mesh_of(drum_triangles(radius, 0.05, 400, 12))});
+    simulation.move(drum, {{dem::Rotate{{}, {0, 1, 0}, rate}}});
+    simulation.advance(20000);
     Vector3 place, force, torque;
     double spin = 0;
     int const count = 100000;
     std::size_t most_contacts = 0;
     for (int k = 0; k < count; ++k) {
-        simulation.step();
+        simulation.advance(1);
         place += position(simulation) / count;
-        spin += simulation.spin(0).y / count;
-        force += simulation.wall_loads()[drum].force / count;
-        torque += simulation.wall_loads()[drum].torque / count;
-        most_contacts = std::max(most_contacts, simulation.wall_contacts());
+        spin += state_of(simulation).spin(0).y / count;
+        force += simulation.read_wall_loads()[drum.value].force / count;
+        torque += simulation.read_wall_loads()[drum.value].torque / count;
+        most_contacts = std::max(most_contacts, simulation.counts().wall_contacts);
     }
     EXPECT_NEAR(std::atan2(-place.x, -place.z), angle, 0.01);
     EXPECT_NEAR(place.y, 0.003, 1e-4);
@@ -196,37 +199,32 @@ TEST(Mesh, LoadsBalanceTheParticlesMomenta)
                                {.time_step = 2e-5, .gravity = {}, .skin = 2e-3});
     RandomStream random(4);
     for (int k = 0; k < 27; ++k)
-        simulation.add_particle({0.025 * (k % 3 - 1), 0.025 * (k / 3 % 3 - 1), 0.025 * (k / 9 - 1)}, r, 0,
-                                {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
-    auto const box = simulation.add_wall(
-        {.shape = mesh_of(shape::box_triangles({-0.05, -0.05, -0.05}, {0.05, 0.05, 0.05}))});
-    simulation.set_motions(box, {{dem::Rotate{{0.01, 0, 0}, {1, 1, 0}, 3}}, {dem::Shake{{0, 0, 0.01}, 4}}});
-    auto const momenta = [&] {
-        std::pair<Vector3, Vector3> sum;
-        for (std::size_t k = 0; k < simulation.particles().size(); ++k) {
-            auto const& p = simulation.particles().place[k];
-            auto const& m = simulation.particles().motion[k];
-            sum.first += m.mass * Vector3{m.vx, m.vy, m.vz};
-            sum.second += m.mass * cross(Vector3{p.x, p.y, p.z}, {m.vx, m.vy, m.vz}) +
-                          m.inertia * Vector3{m.wx, m.wy, m.wz};
-        }
-        return sum;
-    };
+        simulation.add(
+            dem::Body{.position = {0.025 * (k % 3 - 1), 0.025 * (k / 3 % 3 - 1), 0.025 * (k / 9 - 1)},
+                      .radius = r,
+                      .velocity = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}});
+    auto const box = simulation.add(
+        dem::Wall{.shape = mesh_of(shape::box_triangles({-0.05, -0.05, -0.05}, {0.05, 0.05, 0.05}))});
+    simulation.move(box, {{dem::Rotate{{0.01, 0, 0}, {1, 1, 0}, 3}}, {dem::Shake{{0, 0, 0.01}, 4}}});
     Vector3 force, torque; // about the origin
-    simulation.step();
-    auto const before = momenta();
+    auto const take_half = [&] {
+        auto const load = simulation.read_wall_loads()[box.value];
+        double const half = 0.5 * simulation.options().time_step;
+        force += half * load.force;
+        torque += half * (load.torque + cross(simulation.wall(box).pivot, load.force));
+    };
+    simulation.advance(1);
+    auto const before = momenta_of(simulation, {});
     for (int k = 0; k < 5000; ++k) {
-        auto const& load = simulation.wall_loads()[box];
-        force += simulation.options().time_step * load.force;
-        torque +=
-            simulation.options().time_step * (load.torque + cross(simulation.walls()[box].pivot, load.force));
-        simulation.step();
+        take_half(); // velocities of whole steps: each load acts for half of the step before and after it
+        simulation.advance(1);
+        take_half();
     }
-    ASSERT_EQ(simulation.check_health(), dem::Health::good);
-    auto const after = momenta();
+    ASSERT_EQ(simulation.health(), dem::Health::good);
+    auto const after = momenta_of(simulation, {});
     ASSERT_GT(norm(torque), 1e-4);
-    EXPECT_LT(norm(after.first - before.first + force), 1e-12);
-    EXPECT_LT(norm(after.second - before.second + torque), 1e-12);
+    EXPECT_LT(norm(after.linear - before.linear + force), 1e-12);
+    EXPECT_LT(norm(after.angular - before.angular + torque), 1e-12);
 }
 
 } // namespace

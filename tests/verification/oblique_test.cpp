@@ -240,11 +240,11 @@ TEST(TimeStep, ErrorsFallWithItsSquare)
             pair.static_friction = pair.kinetic_friction = 1e3;
             dem::Simulation simulation(one_material(stone, pair),
                                        {.time_step = end / steps, .gravity = {1, 0, -g}, .skin = 1e-3});
-            simulation.add_particle({0, 0, r - 2e-5}, r, 0);
-            simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
-            simulation.steps(steps);
-            auto const& place = simulation.particles().place[0];
-            return std::array{place.x, place.z, r * simulation.spin(0).y};
+            simulation.add(dem::Body{{0, 0, r - 2e-5}, r});
+            simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+            simulation.advance(steps);
+            auto const now = state_of(simulation);
+            return std::array{now.position(0).x, now.position(0).z, r * now.spin(0).y};
         };
         auto const reference = run(64000), coarse = run(1000), half = run(2000);
         for (std::size_t k = 0; k < 3; ++k) {

@@ -91,25 +91,18 @@ contact::Model model_of(Combination const& laws, bool cohesion_in_limit)
 }
 
 //! Spheres of 0.8 to 1.2 mm that touch each other, 1 m/s fast and turning, in rows of `rows`.
-struct Grain
-{
-    Vector3 position;
-    double radius;
-    std::uint32_t material;
-    Vector3 velocity, spin;
-};
-std::vector<Grain> cluster(int count, int rows)
+dem::BodyBatch cluster(int count, int rows)
 {
     RandomStream random(5);
     auto const about = [&](double size) {
         return Vector3{random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
     };
-    std::vector<Grain> grains;
+    dem::BodyBatch grains;
     for (int k = 0; k < count; ++k) {
         Vector3 const at{1.9e-3 * (k % rows), 1.9e-3 * (k / rows % rows), 1.9e-3 * (k / rows / rows)};
         double const radius = random.uniform(0.8e-3, 1.2e-3);
         grains.push_back({at + Vector3{0.97e-3, 0.97e-3, 1.0e-3} + about(0.05e-3), radius,
-                          static_cast<std::uint32_t>(k % 2), about(1), about(500)});
+                          dem::MaterialId{k % 2u}, about(1), about(500)});
     }
     return grains;
 }
@@ -143,12 +136,12 @@ std::vector<dem::Wall> walls(double height, bool periodic)
 }
 
 template <class Loop>
-void fill(Loop& loop, std::vector<Grain> const& grains, std::vector<dem::Wall> const& walls)
+void fill(Loop& loop, dem::BodyBatch const& grains, std::vector<dem::Wall> const& walls)
 {
-    for (Grain const& g : grains)
-        loop.add_particle(g.position, g.radius, g.material, g.velocity, g.spin);
+    for (dem::Body const& grain : grains)
+        loop.add(grain);
     for (dem::Wall const& wall : walls)
-        loop.add_wall(wall);
+        loop.add(wall);
 }
 
 struct Counts
@@ -174,15 +167,15 @@ Counts compare(Combination const& laws, bool cohesion_in_limit, bool periodic, i
     fill(reference, grains, around);
     Counts counts;
     for (int k = 0; k < steps; ++k) {
-        simulation.step();
-        with_ledger.step();
+        simulation.advance(1);
+        with_ledger.advance(1);
         reference.step();
-        EXPECT_EQ(simulation.particle_contacts(), reference.particle_contacts()) << "step " << k;
-        EXPECT_EQ(simulation.wall_contacts(), reference.wall_contacts()) << "step " << k;
+        EXPECT_EQ(simulation.counts().contacts, reference.particle_contacts()) << "step " << k;
+        EXPECT_EQ(simulation.counts().wall_contacts, reference.wall_contacts()) << "step " << k;
         counts.pair_steps += reference.particle_contacts();
         counts.wall_steps += reference.wall_contacts();
     }
-    EXPECT_GT(simulation.rebuilds(), 1);
+    EXPECT_GT(simulation.counts().rebuilds, 1);
     EXPECT_TRUE(same_motion(simulation, with_ledger)) << "the energy ledger changes the motion";
     expect_equal(simulation, reference, tolerance);
     return counts;
@@ -220,12 +213,12 @@ TEST(Reference, ManySpheresOverManyRebuilds)
         fill(simulation, grains, around);
         ReferenceLoop reference(model, options);
         fill(reference, grains, around);
-        simulation.steps(400);
+        simulation.advance(400);
         reference.steps(400);
-        EXPECT_GT(simulation.rebuilds(), 20);
-        EXPECT_GT(simulation.particle_contacts(), 200u);
-        EXPECT_EQ(simulation.particle_contacts(), reference.particle_contacts());
-        EXPECT_EQ(simulation.wall_contacts(), reference.wall_contacts());
+        EXPECT_GT(simulation.counts().rebuilds, 20);
+        EXPECT_GT(simulation.counts().contacts, 200u);
+        EXPECT_EQ(simulation.counts().contacts, reference.particle_contacts());
+        EXPECT_EQ(simulation.counts().wall_contacts, reference.wall_contacts());
         expect_equal(simulation, reference, 1e-9);
     }
 }

@@ -40,25 +40,26 @@ dem::Simulation silo(double opening)
     constexpr Vector3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
     double const floor = 0.25 * (width - opening); // half width of either half of the floor
     for (double const side : {-1.0, 1.0}) {
-        simulation.add_wall(plane({side * (0.5 * opening + floor), 0, 0}, x, y, floor, 1));
-        simulation.add_wall(plane({0.5 * side * width, 0, 10}, y, z, 10, 1));
-        simulation.add_wall(plane({0, 0.5 * side * depth, 0}, z, x, 10, 2));
+        simulation.add(plane({side * (0.5 * opening + floor), 0, 0}, x, y, floor, 1));
+        simulation.add(plane({0.5 * side * width, 0, 10}, y, z, 10, 1));
+        simulation.add(plane({0, 0.5 * side * depth, 0}, z, x, 10, 2));
     }
     return simulation;
 }
 
-std::int64_t steps(dem::Simulation const& simulation, double time)
+std::int64_t steps(dem::Simulation& simulation, double time)
 {
     return std::llround(time / simulation.options().time_step);
 }
 
 //! Mass [kg] of the spheres whose centres lie between two heights [m].
-double mass_between(dem::Simulation const& simulation, double lower, double upper)
+double mass_between(dem::Simulation& simulation, double lower, double upper)
 {
     double mass = 0;
-    for (std::size_t k = 0; k < simulation.particles().size(); ++k)
-        if (double const at = simulation.particles().place[k].z; at > lower && at < upper)
-            mass += simulation.particles().motion[k].mass;
+    auto const now = simulation.read(dem::Fields::places);
+    for (std::size_t k = 0; k < now.size(); ++k)
+        if (double const at = now.position(k).z; at > lower && at < upper)
+            mass += now.mass(k);
     return mass;
 }
 
@@ -73,9 +74,10 @@ std::vector<dem::Place> filled()
     auto const at =
         shape::loose_packing(diameters, {-0.5 * width, -0.5 * depth, 0}, width, depth, 0.33, places);
     for (std::size_t k = 0; k < at.size(); ++k)
-        simulation.add_particle(at[k], 0.5 * diameters[k], 0, {0, 0, -0.5});
-    simulation.steps(steps(simulation, 0.7));
-    return simulation.particles().place;
+        simulation.add(dem::Body{.position = at[k], .radius = 0.5 * diameters[k], .velocity = {0, 0, -0.5}});
+    simulation.advance(steps(simulation, 0.7));
+    auto const now = simulation.read(dem::Fields::places).places();
+    return {now.begin(), now.end()};
 }
 
 //! Steady flow out of the slot [kg/s], measured while the outer part of the bed still stands.
@@ -83,13 +85,13 @@ double flow(std::vector<dem::Place> const& grains, double opening)
 {
     auto simulation = silo(opening);
     for (dem::Place const& p : grains)
-        simulation.add_particle({p.x, p.y, p.z}, p.radius, 0);
-    simulation.steps(steps(simulation, 0.15));
+        simulation.add(dem::Body{{p.x, p.y, p.z}, p.radius});
+    simulation.advance(steps(simulation, 0.15));
     double const before = mass_between(simulation, 0, 100);
     constexpr double time = 0.25;
-    simulation.steps(steps(simulation, time));
+    simulation.advance(steps(simulation, time));
     double const after = mass_between(simulation, 0, 100);
-    EXPECT_EQ(simulation.check_health(), dem::Health::good);
+    EXPECT_EQ(simulation.health(), dem::Health::good);
     return (before - after) / time;
 }
 

@@ -63,11 +63,6 @@ class Engine
     virtual std::vector<Wall> const& walls() const = 0;
     virtual std::int64_t steps_done() const = 0;
     virtual SimulationOptions const& options() const = 0;
-
-    // On their way out, with the members of `Simulation` that use them.
-    virtual std::uint32_t add_as_kept(Body const& body) = 0;
-    virtual void set_wall(WallId id, Wall const& wall) = 0;
-    virtual Particles const& particles() = 0;
 };
 
 //! An engine of the kind that the options ask for, with nothing in it. \throws InputError

@@ -46,6 +46,8 @@ class Simulation
     StateView read(Fields fields) { return engine_->read(fields); }
     //! What the particles did to each wall in the last step.
     std::vector<WallLoad> read_wall_loads() { return engine_->read_wall_loads(); }
+    double largest_speed() { return engine_->largest_speed(); }   //!< of particles [m/s]
+    double kinetic_energy() { return engine_->kinetic_energy(); } //!< of particles [J]
     //! All energy as of now; the simulation must have been made with the ledger.
     EnergyLedger energy() { return engine_->energy(); }
     Counts counts() { return engine_->counts(); }
@@ -62,39 +64,10 @@ class Simulation
     double time() const { return static_cast<double>(steps_done()) * options().time_step; } //!< [s]
     SimulationOptions const& options() const { return engine_->options(); }
 
-    // Below: on their way out.
-
-    std::uint32_t add_particle(Vector3 const& position, double radius, std::uint32_t material,
-                               Vector3 const& velocity = {}, Vector3 const& spin = {})
-    {
-        return engine_->add_as_kept({position, radius, MaterialId{material}, velocity, spin});
-    }
-    std::uint32_t add_wall(Wall const& wall) { return add(wall).value; }
-    void set_wall(std::uint32_t number, Wall const& wall) { engine_->set_wall(WallId{number}, wall); }
-    void set_motions(std::uint32_t number, std::vector<WallMotion> motions)
-    {
-        move(WallId{number}, std::move(motions));
-    }
-    void step() { advance(1); }
-    void steps(std::int64_t count) { advance(count); }
-    Health check_health() { return health(); }
-    Particles const& particles() const { return engine_->particles(); }
-    std::vector<WallLoad> const& wall_loads() const { return wall_loads_ = engine_->read_wall_loads(); }
-    Vector3 velocity(std::size_t k) const { return engine_->read(Fields::all).velocity(k); }
-    Vector3 spin(std::size_t k) const { return engine_->read(Fields::all).spin(k); }
-    double largest_speed() const { return engine_->largest_speed(); }
-    double kinetic_energy() const { return engine_->kinetic_energy(); }
-    std::size_t particle_contacts() const { return engine_->counts().contacts; }
-    std::size_t wall_contacts() const { return engine_->counts().wall_contacts; }
-    std::int64_t rebuilds() const { return engine_->counts().rebuilds; }
-    std::size_t particles_here() const { return engine_->counts().particles_of_rank; }
-    std::size_t ghosts_here() const { return engine_->counts().ghosts_of_rank; }
-
   private:
     explicit Simulation(std::unique_ptr<Engine> engine) : engine_(std::move(engine)) {}
 
     std::unique_ptr<Engine> engine_;
-    mutable std::vector<WallLoad> wall_loads_;
 };
 
 } // namespace demens::dem

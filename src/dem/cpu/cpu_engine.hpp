@@ -38,19 +38,6 @@ class CpuEngine final : public Engine
     std::int64_t steps_done() const override { return state_.steps_done; }
     SimulationOptions const& options() const override { return params_->options; }
 
-    std::uint32_t add_as_kept(Body const& body) override
-    {
-        add(body, body.velocity);
-        return state_.particles_added - 1;
-    }
-    void set_wall(WallId id, Wall const& wall) override
-    {
-        note_change();
-        state_.walls.place(id, wall.shape);
-        state_.walls.set(id, wall);
-    }
-    Particles const& particles() override { return partition_->gather(state_.particles, Fields::all); }
-
   private:
     double time() const { return static_cast<double>(state_.steps_done) * params_->options.time_step; }
     //! What was gathered and the neighbour lists no longer say how it is.

@@ -16,6 +16,7 @@ using namespace demens;
 using demens::testing::expect_equal;
 using demens::testing::one_material;
 using demens::testing::ReferenceLoop;
+using demens::testing::state_of;
 
 constexpr Vector3 x_axis{1, 0, 0}, y_axis{0, 1, 0};
 
@@ -35,15 +36,13 @@ dem::Wall floor_at(double z)
     return {.shape = dem::Rectangle{{0, 0, z}, x_axis, y_axis, 100, 100}};
 }
 
-void expect_finite(dem::Simulation const& simulation)
+void expect_finite(dem::Simulation& simulation)
 {
     double sum = 0;
-    for (std::size_t k = 0; k < simulation.particles().size(); ++k) {
-        auto const& p = simulation.particles().place[k];
-        auto const& l = simulation.particles().load[k];
-        sum += p.x + p.y + p.z + norm(simulation.velocity(k)) + norm(simulation.spin(k)) +
-               norm(Vector3{l.fx, l.fy, l.fz}) + norm(Vector3{l.tx, l.ty, l.tz});
-    }
+    auto const now = state_of(simulation);
+    for (std::size_t k = 0; k < now.size(); ++k)
+        sum += norm(now.position(k)) + norm(now.velocity(k)) + norm(now.spin(k)) + norm(now.force(k)) +
+               norm(now.torque(k));
     EXPECT_TRUE(std::isfinite(sum));
 }
 
@@ -62,27 +61,28 @@ TEST(Extremes, NoParticle)
             if (periodic)
                 options.periodic = {.x = {0, 1}, .y = {0, 1}};
             dem::Simulation simulation(grains(), options);
-            simulation.add_wall(floor_at(0));
-            simulation.steps(10);
-            EXPECT_EQ(simulation.check_health(), dem::Health::good);
+            simulation.add(floor_at(0));
+            simulation.advance(10);
+            EXPECT_EQ(simulation.health(), dem::Health::good);
             EXPECT_EQ(simulation.steps_done(), 10);
-            EXPECT_EQ(simulation.particle_contacts() + simulation.wall_contacts(), 0u);
+            EXPECT_EQ(simulation.counts().contacts + simulation.counts().wall_contacts, 0u);
             EXPECT_EQ(simulation.kinetic_energy(), 0);
-            EXPECT_EQ(norm(simulation.wall_loads()[0].force), 0);
+            EXPECT_EQ(norm(simulation.read_wall_loads()[0].force), 0);
         }
 }
 
 TEST(Extremes, OneParticleFalls)
 {
     dem::Simulation simulation(grains(), {.time_step = 1e-4, .skin = 1e-4});
-    simulation.add_particle({0, 0, 3}, 1e-3, 0, {0.5, 0, 0}, {0, 7, 0});
-    simulation.steps(5000);
-    auto const& p = simulation.particles().place[0];
+    simulation.add(
+        dem::Body{.position = {0, 0, 3}, .radius = 1e-3, .velocity = {0.5, 0, 0}, .spin = {0, 7, 0}});
+    simulation.advance(5000);
+    auto const now = state_of(simulation);
     // Half a second, exact for a steady force.
-    EXPECT_NEAR(p.x, 0.25, 1e-12);
-    EXPECT_NEAR(p.z, 3 - 0.5 * 9.81 * 0.25, 1e-11);
-    EXPECT_NEAR(simulation.velocity(0).z, -9.81 * 0.5, 1e-11);
-    EXPECT_EQ(simulation.spin(0), (Vector3{0, 7, 0}));
+    EXPECT_NEAR(now.position(0).x, 0.25, 1e-12);
+    EXPECT_NEAR(now.position(0).z, 3 - 0.5 * 9.81 * 0.25, 1e-11);
+    EXPECT_NEAR(now.velocity(0).z, -9.81 * 0.5, 1e-11);
+    EXPECT_EQ(now.spin(0), (Vector3{0, 7, 0}));
 }
 
 TEST(Extremes, OneParticleRestsOnAWall)
@@ -90,15 +90,15 @@ TEST(Extremes, OneParticleRestsOnAWall)
     contact::Model const model = grains();
     double const radius = 1e-3;
     dem::Simulation simulation(model, {.time_step = 5e-6, .skin = 1e-4});
-    simulation.add_particle({0, 0, radius}, radius, 0);
-    simulation.add_wall(floor_at(0));
-    simulation.steps(40000);
+    simulation.add(dem::Body{{0, 0, radius}, radius});
+    simulation.add(floor_at(0));
+    simulation.advance(40000);
     // Weight = 4/3 E* sqrt(R) d^(3/2), E* = E/(2 (1 - nu^2)).
     double const modulus = 5e6 / (2 * (1 - 0.09));
-    double const weight = simulation.particles().motion[0].mass * 9.81;
+    double const weight = state_of(simulation).mass(0) * 9.81;
     double const overlap = std::pow(weight / (4.0 / 3 * modulus * std::sqrt(radius)), 2.0 / 3);
-    EXPECT_NEAR(radius - simulation.particles().place[0].z, overlap, 1e-6 * overlap);
-    EXPECT_NEAR(simulation.wall_loads()[0].force.z, -weight, 1e-6 * weight);
+    EXPECT_NEAR(radius - state_of(simulation).place(0).z, overlap, 1e-6 * overlap);
+    EXPECT_NEAR(simulation.read_wall_loads()[0].force.z, -weight, 1e-6 * weight);
     EXPECT_LT(simulation.largest_speed(), 1e-7);
 }
 
@@ -174,11 +174,17 @@ TEST(Extremes, MotionNextToNothing)
         SCOPED_TRACE(name);
         dem::Simulation simulation(model, {.time_step = 1e-6, .gravity = {}, .skin = 1e-4});
         double const apart = std::nextafter(2e-3, 0);
-        simulation.add_particle({0, 0, 1e-3}, 1e-3, 0, {1e-310, -1e-312, 0}, {0, 0, 1e-310});
-        simulation.add_particle({apart, 0, 1e-3}, 1e-3, 0, {0, 1e-320, 0}, {5e-324, 0, 0});
-        simulation.add_wall(floor_at(0));
-        simulation.steps(100);
-        EXPECT_EQ(simulation.check_health(), dem::Health::good);
+        simulation.add(dem::Body{.position = {0, 0, 1e-3},
+                                 .radius = 1e-3,
+                                 .velocity = {1e-310, -1e-312, 0},
+                                 .spin = {0, 0, 1e-310}});
+        simulation.add(dem::Body{.position = {apart, 0, 1e-3},
+                                 .radius = 1e-3,
+                                 .velocity = {0, 1e-320, 0},
+                                 .spin = {5e-324, 0, 0}});
+        simulation.add(floor_at(0));
+        simulation.advance(100);
+        EXPECT_EQ(simulation.health(), dem::Health::good);
         expect_finite(simulation);
     }
 }
@@ -194,8 +200,10 @@ void add_lattice(Loop& loop, int side, double radius, double speed)
     for (int k = 0; k < side * side * side; ++k) {
         Vector3 const at{1.9 * radius * (k % side), 1.9 * radius * (k / side % side),
                          1.9 * radius * (k / side / side)};
-        loop.add_particle(at + about(0.05 * radius), random.uniform(0.9, 1.1) * radius, 0, about(speed),
-                          about(speed / radius));
+        loop.add(dem::Body{.position = at + about(0.05 * radius),
+                           .radius = random.uniform(0.9, 1.1) * radius,
+                           .velocity = about(speed),
+                           .spin = about(speed / radius)});
     }
 }
 
@@ -211,12 +219,12 @@ TEST(Extremes, SpheresOfANanometre)
         ReferenceLoop reference(model, options);
         add_lattice(simulation, 3, radius, 1);
         add_lattice(reference, 3, radius, 1);
-        simulation.add_wall(floor_at(-radius));
-        reference.add_wall(floor_at(-radius));
-        simulation.steps(50);
+        simulation.add(floor_at(-radius));
+        reference.add(floor_at(-radius));
+        simulation.advance(50);
         reference.steps(50);
-        EXPECT_GT(simulation.rebuilds(), 2);
-        EXPECT_GT(simulation.particle_contacts(), 5u);
+        EXPECT_GT(simulation.counts().rebuilds, 2);
+        EXPECT_GT(simulation.counts().contacts, 5u);
         expect_finite(simulation);
         expect_equal(simulation, reference, 1e-11);
     }
@@ -231,8 +239,9 @@ TEST(Extremes, SizesOneToTen)
     ReferenceLoop reference(model, options);
     auto const add = [&](Vector3 const& position, double radius, Vector3 const& velocity) {
         Vector3 const spin = (1 / radius) * Vector3{velocity.y, velocity.z, velocity.x};
-        simulation.add_particle(position, radius, 0, velocity, spin);
-        reference.add_particle(position, radius, 0, velocity, spin);
+        dem::Body const body{.position = position, .radius = radius, .velocity = velocity, .spin = spin};
+        simulation.add(body);
+        reference.add(body);
     };
     double const small = 0.5e-3, large = 5e-3;
     Vector3 const centres[] = {{5e-3, 5e-3, 4.9e-3},
@@ -259,15 +268,15 @@ TEST(Extremes, SizesOneToTen)
         }
     }
     for (auto const& wall : {floor_at(0), floor_at(17e-3)}) {
-        simulation.add_wall(wall);
-        reference.add_wall(wall);
+        simulation.add(wall);
+        reference.add(wall);
     }
-    simulation.steps(20);
+    simulation.advance(20);
     reference.steps(20);
-    EXPECT_GT(simulation.rebuilds(), 3);
-    EXPECT_GT(simulation.particle_contacts(), 5000u);
-    EXPECT_EQ(simulation.particle_contacts(), reference.particle_contacts());
-    EXPECT_EQ(simulation.wall_contacts(), reference.wall_contacts());
+    EXPECT_GT(simulation.counts().rebuilds, 3);
+    EXPECT_GT(simulation.counts().contacts, 5000u);
+    EXPECT_EQ(simulation.counts().contacts, reference.particle_contacts());
+    EXPECT_EQ(simulation.counts().wall_contacts, reference.wall_contacts());
     expect_equal(simulation, reference, 1e-11);
 }
 
@@ -279,15 +288,15 @@ TEST(Extremes, GrainsOnABoulder)
     dem::Simulation simulation(model, options);
     ReferenceLoop reference(model, options);
     auto const add_boulder = [&](auto& loop) {
-        loop.add_particle({0, 0, -1.0018}, 1, 0);
+        loop.add(dem::Body{{0, 0, -1.0018}, 1});
         add_lattice(loop, 4, 1e-3, 0.5);
     };
     add_boulder(simulation);
     add_boulder(reference);
-    simulation.steps(50);
+    simulation.advance(50);
     reference.steps(50);
-    EXPECT_GT(simulation.particle_contacts(), 50u);
-    EXPECT_EQ(simulation.particle_contacts(), reference.particle_contacts());
+    EXPECT_GT(simulation.counts().contacts, 50u);
+    EXPECT_EQ(simulation.counts().contacts, reference.particle_contacts());
     expect_equal(simulation, reference, 1e-9);
 }
 
@@ -312,9 +321,9 @@ TEST(Extremes, TheSameBitsAgain)
             auto simulation = std::make_unique<dem::Simulation>(
                 model, dem::SimulationOptions{.time_step = 5e-6, .skin = 0.1e-3});
             add_lattice(*simulation, 5, 1e-3, 1);
-            simulation->add_wall(floor_at(-0.9e-3));
-            simulation->add_wall({.shape = dem::Cylinder{{4e-3, 4e-3, 0}, {0, 0, 1}, 1, 6e-3}});
-            simulation->steps(100);
+            simulation->add(floor_at(-0.9e-3));
+            simulation->add(dem::Wall{.shape = dem::Cylinder{{4e-3, 4e-3, 0}, {0, 0, 1}, 1, 6e-3}});
+            simulation->advance(100);
             return simulation;
         };
         auto const first = run();
@@ -322,15 +331,9 @@ TEST(Extremes, TheSameBitsAgain)
         auto const second = run();
         litter(333, 0x41);
         auto const third = run();
-        EXPECT_GT(first->rebuilds(), 3);
-        auto const& a = first->particles();
-        for (auto const* other : {second.get(), third.get()}) {
-            auto const& b = other->particles();
-            EXPECT_EQ(a.id, b.id);
-            EXPECT_EQ(std::memcmp(a.place.data(), b.place.data(), a.size() * sizeof(dem::Place)), 0);
-            EXPECT_EQ(std::memcmp(a.motion.data(), b.motion.data(), a.size() * sizeof(dem::Motion)), 0);
-            EXPECT_EQ(std::memcmp(a.load.data(), b.load.data(), a.size() * sizeof(dem::Load)), 0);
-        }
+        EXPECT_GT(first->counts().rebuilds, 3);
+        for (auto* other : {second.get(), third.get()})
+            EXPECT_EQ(first->save().to_bytes(), other->save().to_bytes());
     }
 }
 

@@ -238,16 +238,16 @@ TEST(Neighbours, MotionDoesNotDependOnTheSkin)
         dem::Simulation simulation({{{"a", 2500, 1e7, 0.3}}, {pair}}, {.time_step = 2e-5, .skin = skin});
         RandomStream random(1);
         for (int k = 0; k < 60; ++k)
-            simulation.add_particle({0.02 * (k % 4) + 1e-3 * random.uniform(),
-                                     0.02 * (k / 4 % 4) + 1e-3 * random.uniform(), 0.011 + 0.021 * (k / 16)},
-                                    0.0095, 0);
-        simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
-        simulation.steps(8000);
+            simulation.add(dem::Body{.position = {0.02 * (k % 4) + 1e-3 * random.uniform(),
+                                                  0.02 * (k / 4 % 4) + 1e-3 * random.uniform(),
+                                                  0.011 + 0.021 * (k / 16)},
+                                     .radius = 0.0095});
+        simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+        simulation.advance(8000);
         std::vector<Vector3> places(60);
-        for (std::size_t k = 0; k < 60; ++k)
-            places[simulation.particles().id[k]] = {simulation.particles().place[k].x,
-                                                    simulation.particles().place[k].y,
-                                                    simulation.particles().place[k].z};
+        auto const now = simulation.read(dem::Fields::places);
+        for (std::size_t k = 0; k < now.size(); ++k)
+            places[now.id(k).value] = now.position(k);
         return places;
     };
     auto const often = run(2e-4), seldom = run(6e-3);

@@ -3,6 +3,7 @@
 #include "demens/base/random.hpp"
 #include "demens/dem/simulation.hpp"
 #include "src/dem/cpu/neighbours.hpp"
+#include "tests/support/state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,8 @@ namespace {
 using namespace demens;
 using dem::Period;
 using dem::Periods;
+using demens::testing::momenta_of;
+using demens::testing::state_of;
 
 contact::Model stone()
 {
@@ -75,13 +78,20 @@ TEST(Periods, ACollisionAcrossABorderIsTheOneInside)
         dem::Simulation simulation(
             stone(),
             {.time_step = 1e-5, .gravity = {}, .skin = 1e-3, .periodic = {{-0.05, 0.05}, {-0.05, 0.05}}});
-        simulation.add_particle(shift + Vector3{-0.0105, -0.003, 0}, 0.01, 0, {1, 1, 0.2}, {0, 0, 9});
-        simulation.add_particle(shift + Vector3{0.0105, 0.005, 0.002}, 0.012, 0, {-0.5, 0.9, 0}, {5, 0, 0});
-        simulation.steps(2000);
+        simulation.add(dem::Body{.position = shift + Vector3{-0.0105, -0.003, 0},
+                                 .radius = 0.01,
+                                 .velocity = {1, 1, 0.2},
+                                 .spin = {0, 0, 9}});
+        simulation.add(dem::Body{.position = shift + Vector3{0.0105, 0.005, 0.002},
+                                 .radius = 0.012,
+                                 .velocity = {-0.5, 0.9, 0},
+                                 .spin = {5, 0, 0}});
+        simulation.advance(2000);
+        auto const now = state_of(simulation);
         Vector3 velocity[2], spin[2];
         for (std::size_t k = 0; k < 2; ++k) {
-            velocity[simulation.particles().id[k]] = simulation.velocity(k);
-            spin[simulation.particles().id[k]] = simulation.spin(k);
+            velocity[now.id(k).value] = now.velocity(k);
+            spin[now.id(k).value] = now.spin(k);
         }
         return std::vector{velocity[0], velocity[1], spin[0], spin[1]};
     };
@@ -99,28 +109,23 @@ TEST(Periods, MomentumIsKept)
     dem::Simulation simulation(
         stone(), {.time_step = 2e-5, .gravity = {}, .skin = 2e-3, .periodic = {{0, 0.1}, {0, 0.12}}});
     RandomStream random(8);
-    Vector3 before, after;
     for (int k = 0; k < 120; ++k)
-        simulation.add_particle({0.025 * (k % 4), 0.024 * (k / 4 % 5), 0.022 * (k / 20)}, 0.01, 0,
-                                {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
-    auto const momentum = [&] {
-        Vector3 sum;
-        for (auto const& m : simulation.particles().motion)
-            sum += m.mass * Vector3{m.vx, m.vy, m.vz};
-        return sum;
-    };
-    before = momentum();
+        simulation.add(
+            dem::Body{.position = {0.025 * (k % 4), 0.024 * (k / 4 % 5), 0.022 * (k / 20)},
+                      .radius = 0.01,
+                      .velocity = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}});
+    Vector3 const before = momenta_of(simulation, {}).linear;
     std::size_t contacts = 0;
     for (int k = 0; k < 5000; ++k) {
-        simulation.step();
-        contacts = std::max(contacts, simulation.particle_contacts());
+        simulation.advance(1);
+        contacts = std::max(contacts, simulation.counts().contacts);
     }
-    after = momentum();
+    Vector3 const after = momenta_of(simulation, {}).linear;
     EXPECT_GT(contacts, 5u);
-    EXPECT_LT(norm(after - before), 1e-12 * 120 * simulation.particles().motion[0].mass);
-    simulation.add_particle({0.05, 0.05, 1}, 0.01, 0); // rebuilds, which wraps all places
-    simulation.step();
-    for (auto const& p : simulation.particles().place) {
+    EXPECT_LT(norm(after - before), 1e-12 * 120 * state_of(simulation).mass(0));
+    simulation.add(dem::Body{{0.05, 0.05, 1}, 0.01}); // rebuilds, which wraps all places
+    simulation.advance(1);
+    for (auto const& p : state_of(simulation).places()) {
         EXPECT_TRUE(p.x >= -1e-3 && p.x <= 0.101);
         EXPECT_TRUE(p.y >= -1e-3 && p.y <= 0.121);
     }
@@ -134,32 +139,34 @@ TEST(Periods, FloorOfABedWithoutSidesCarriesItsWeight)
     for (int k = 0; k < 120; ++k) {
         double const radius = random.uniform(0.006, 0.009);
         mass += 2500 * 4.0 / 3 * std::numbers::pi * radius * radius * radius;
-        simulation.add_particle({0.02 * (k % 5) + 2e-3 * random.uniform(),
-                                 0.02 * (k / 5 % 3) + 2e-3 * random.uniform(), 0.01 + 0.021 * (k / 15)},
-                                radius, 0);
+        simulation.add(
+            dem::Body{.position = {0.02 * (k % 5) + 2e-3 * random.uniform(),
+                                   0.02 * (k / 5 % 3) + 2e-3 * random.uniform(), 0.01 + 0.021 * (k / 15)},
+                      .radius = radius});
     }
-    simulation.add_wall({.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
-    simulation.steps(60000);
-    ASSERT_EQ(simulation.check_health(), dem::Health::good);
+    simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+    simulation.advance(60000);
+    ASSERT_EQ(simulation.health(), dem::Health::good);
     double carried = 0;
     for (int k = 0; k < 1000; ++k) {
-        simulation.step();
-        carried -= simulation.wall_loads()[0].force.z / 1000;
+        simulation.advance(1);
+        carried -= simulation.read_wall_loads()[0].force.z / 1000;
     }
     EXPECT_NEAR(carried, mass * 9.81, 2e-3 * mass * 9.81);
     // A bed that leaked at its borders would be a single layer, or denser than spheres can be.
     double height = 0;
-    for (std::size_t k = 0; k < 120; ++k)
-        height += simulation.particles().motion[k].mass / mass * simulation.particles().place[k].z;
+    auto const now = state_of(simulation);
+    for (std::size_t k = 0; k < now.size(); ++k)
+        height += now.mass(k) / mass * now.position(k).z;
     EXPECT_NEAR(mass / 2500 / (2 * height * 0.1 * 0.06), 0.55, 0.06);
 }
 
 TEST(Periods, OneTooShortIsRefused)
 {
     dem::Simulation simulation(stone(), {.skin = 1e-3, .periodic = {{}, {0, 0.04}}});
-    simulation.add_particle({}, 0.01, 0);
+    simulation.add(dem::Body{{}, 0.01});
     try {
-        simulation.step();
+        simulation.advance(1);
         FAIL() << "a period of two diameters was accepted";
     } catch (InputError const& error) {
         EXPECT_NE(std::string(error.what()).find("along y is too short: it must be at least 0.042 m"),

@@ -1,5 +1,6 @@
 // What the facade promises: times of velocities, walls that are put, moved and switched, counts.
 #include "demens/dem/simulation.hpp"
+#include "tests/support/state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 namespace {
 
 using namespace demens;
+using demens::testing::state_of;
 
 constexpr double r = 1e-3, dt = 1e-5, g = 9.81;
 
@@ -40,7 +42,7 @@ TEST(Simulation, BodiesFallFromTheirVelocityWheneverTheyEnter)
                                         .spin = {0, 3, 0}});
     EXPECT_EQ(second, dem::ParticleId{1});
     {
-        auto const now = s.read(dem::Fields::all);
+        auto const now = state_of(s);
         for (std::size_t k = 0; k < 2; ++k)
             if (now.id(k) == second) {
                 EXPECT_NEAR(now.velocity(k).z, 0.2, 1e-15);
@@ -49,7 +51,7 @@ TEST(Simulation, BodiesFallFromTheirVelocityWheneverTheyEnter)
             }
     }
     s.advance(2000);
-    auto const now = s.read(dem::Fields::all);
+    auto const now = state_of(s);
     ASSERT_EQ(now.size(), 2u);
     for (std::size_t k = 0; k < 2; ++k) {
         bool const is_second = now.id(k) == second;
@@ -86,7 +88,7 @@ TEST(Simulation, AnInactiveWallTouchesNothing)
 {
     auto s = simulation();
     auto const wall = s.add(dem::Wall{.shape = floor_at(0)});
-    s.add(dem::Body{.position = {0, 0, r}, .radius = r});
+    s.add(dem::Body{{0, 0, r}, r});
     s.advance(20000); // settles
     double const weight = s.read(dem::Fields::places).mass(0) * g;
     EXPECT_NEAR(s.read_wall_loads()[wall.value].force.z, -weight, 1e-6 * weight);

@@ -1,6 +1,7 @@
 // A simulation that was saved at any step goes on with the same bits; what does not fit is refused.
 #include "demens/base/random.hpp"
 #include "demens/dem/simulation.hpp"
+#include "tests/support/state.hpp"
 #include "tests/support/thread_team.hpp"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 namespace {
 
 using namespace demens;
+using demens::testing::state_of;
 
 constexpr double r = 2e-3;
 
@@ -76,7 +78,7 @@ dem::Simulation reloaded(dem::SimulationOptions const& options, dem::StateRecord
 void expect_same(dem::Simulation& a, dem::Simulation& b)
 {
     ASSERT_EQ(a.steps_done(), b.steps_done());
-    auto const p = a.read(dem::Fields::all), q = b.read(dem::Fields::all);
+    auto const p = state_of(a), q = state_of(b);
     ASSERT_EQ(p.size(), q.size());
     for (std::size_t k = 0; k < p.size(); ++k) {
         ASSERT_EQ(p.id(k), q.id(k));

@@ -109,9 +109,9 @@ TEST(WallMotion, PlaceDoesNotDrift)
     // After a million steps and ten thousand turns the plate is where it began.
     contact::PairProperties const pair{.first = "a", .second = "a"};
     dem::Simulation simulation({{{"a", 2500, 1e7, 0.3}}, {pair}}, {.time_step = 1e-3});
-    simulation.add_wall(plate({2, 0, 0}));
-    simulation.set_motions(0, {{dem::Rotate{{}, {0, 0, 1}, 20 * std::numbers::pi}}});
-    simulation.steps(1'000'000);
+    auto const turning = simulation.add(plate({2, 0, 0}));
+    simulation.move(turning, {{dem::Rotate{{}, {0, 0, 1}, 20 * std::numbers::pi}}});
+    simulation.advance(1'000'000);
     expect_near(dem::centre(simulation.walls()[0].shape), {2, 0, 0}, 1e-8);
     EXPECT_NEAR(norm(dem::centre(simulation.walls()[0].shape)), 2, 1e-14);
 }
@@ -120,16 +120,14 @@ TEST(WallMotion, SetWhileTheSimulationRunsBeginsThen)
 {
     contact::PairProperties const pair{.first = "a", .second = "a"};
     dem::Simulation simulation({{{"a", 2500, 1e7, 0.3}}, {pair}}, {.time_step = 0.5});
-    simulation.add_wall(plate({}));
-    simulation.steps(4);
-    simulation.set_motions(0, {{dem::Translate{{1, 0, 0}}, 1}, {dem::Translate{{9, 0, 0}}, 0, 1}});
+    auto const belt = simulation.add(plate({}));
+    simulation.advance(4);
+    simulation.move(belt, {{dem::Translate{{1, 0, 0}}, 1}, {dem::Translate{{9, 0, 0}}, 0, 1}});
     EXPECT_EQ(dem::centre(simulation.walls()[0].shape).x, 0);
-    simulation.steps(2);
+    simulation.advance(2);
     EXPECT_DOUBLE_EQ(dem::centre(simulation.walls()[0].shape).x, 1);
-    dem::Wall stopped = simulation.walls()[0];
-    stopped.velocity = {};
-    simulation.set_wall(0, stopped);
-    simulation.steps(2);
+    simulation.move(belt, dem::WallVelocity{});
+    simulation.advance(2);
     EXPECT_DOUBLE_EQ(dem::centre(simulation.walls()[0].shape).x, 1);
 }
 
