@@ -263,7 +263,7 @@ void WallSet::save(StateRecord& record) const
     WallColumns columns;
     for (Wall const& wall : walls_) {
         add_shape(columns.shapes, wall.shape, meshes);
-        columns.material.push_back(wall.material);
+        columns.material.push_back(wall.material.value);
         columns.active.push_back(wall.active);
         columns.velocity.push_back(wall.velocity), columns.spin.push_back(wall.spin);
         columns.pivot.push_back(wall.pivot), columns.belt.push_back(wall.belt);
@@ -302,7 +302,7 @@ WallSet WallSet::restore(StateRecord const& record)
     WallSet set;
     for (std::size_t k = 0; k < columns.material.size(); ++k)
         set.add({.shape = shape_at(columns.shapes, k, meshes),
-                 .material = columns.material[k],
+                 .material = MaterialId{columns.material[k]},
                  .velocity = columns.velocity[k],
                  .spin = columns.spin[k],
                  .pivot = columns.pivot[k],

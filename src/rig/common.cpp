@@ -12,12 +12,17 @@
 
 namespace demens::rig {
 
-std::uint32_t material_index(contact::Model const& model, std::string const& name)
+dem::MaterialId material_id(contact::Model const& model, std::string const& name)
 {
-    for (std::size_t k = 0; k < model.materials.size(); ++k)
+    for (std::uint32_t k = 0; k < model.materials.size(); ++k)
         if (model.materials[k].name == name)
-            return static_cast<std::uint32_t>(k);
+            return dem::MaterialId{k};
     throw InputError(fmt::format("there is no [material.{}]", name));
+}
+
+contact::Material const& material_named(contact::Model const& model, std::string const& name)
+{
+    return model.materials[material_id(model, name).value];
 }
 
 contact::PairProperties const& require_pair(contact::Model const& model, std::string const& a,
@@ -114,7 +119,7 @@ double gravity_downwards(OptionValues const& options)
 TimeStepLimit time_step_limit(contact::Model const& model, std::string const& material,
                               double smallest_diameter, double rayleigh_fraction)
 {
-    auto const& particle = model.materials[material_index(model, material)];
+    auto const& particle = material_named(model, material);
     double const rayleigh = dem::rayleigh_time(0.5 * smallest_diameter, particle);
     TimeStepLimit limit{
         rayleigh_fraction * rayleigh,
@@ -126,8 +131,7 @@ TimeStepLimit time_step_limit(contact::Model const& model, std::string const& ma
             (pair.first != material && pair.second != material))
             continue;
         bool const among_particles = pair.first == material && pair.second == material;
-        auto const& other =
-            model.materials[material_index(model, pair.first == material ? pair.second : pair.first)];
+        auto const& other = material_named(model, pair.first == material ? pair.second : pair.first);
         double const k_i = particle.youngs_modulus * smallest_diameter;
         double const k_j = other.youngs_modulus * smallest_diameter;
         double const stiffness = k_i * k_j / (k_i + k_j);

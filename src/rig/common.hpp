@@ -30,8 +30,9 @@ dem::SimulationOptions simulation_options(OptionValues const& options, double ti
 //! another direction
 double gravity_downwards(OptionValues const& options);
 
-//! Index of a material of the model. \throws InputError
-std::uint32_t material_index(contact::Model const& model, std::string const& name);
+//! A material of the model. \throws InputError
+dem::MaterialId material_id(contact::Model const& model, std::string const& name);
+contact::Material const& material_named(contact::Model const& model, std::string const& name);
 //! The coefficients of two materials that will meet. \throws InputError that says which table is missing.
 contact::PairProperties const& require_pair(contact::Model const& model, std::string const& a,
                                             std::string const& b);

@@ -71,7 +71,7 @@ inline Collision hit_plane(contact::Model const& model, Sphere const& sphere, do
                              .velocity = sphere.velocity,
                              .spin = sphere.spin});
     simulation.add(
-        dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1e6, 1e6}, .material = wall_material});
+        dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1e6, 1e6}, .material = dem::MaterialId{wall_material}});
     return collide(simulation, true);
 }
 

@@ -161,7 +161,7 @@ void ReferenceLoop::find_wall_loads(double largest_radius)
             dem::Wall const& wall = walls_[w];
             if (!wall.active)
                 continue;
-            contact::LawSet const& laws = laws_of(body.material, wall.material);
+            contact::LawSet const& laws = laws_of(body.material, wall.material.value);
             contact::Range const range = range_of(laws, largest_radius);
             for (Vector3 const& offset : offsets_from(wall, body.position, body.radius, range.gap)) {
                 // The contact goes on from the one whose normal was nearest to its own.

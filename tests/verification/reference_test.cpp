@@ -115,21 +115,21 @@ std::vector<dem::Wall> walls(double height, bool periodic)
     double const middle = 0.5 * width;
     std::vector<dem::Wall> result = {
         {.shape = dem::Mesh{mesh_of(plane_triangles(width, 6)).mesh, {{}, {middle, middle, 0}}},
-         .material = 2,
+         .material = dem::MaterialId{2},
          .velocity = {0, 0, 0.1},
          .spin = {0, 0, 20},
          .pivot = {middle, middle, 0}},
         {.shape = dem::Rectangle{{middle, middle, height}, x, y, 5 * width, 5 * width},
-         .material = 2,
+         .material = dem::MaterialId{2},
          .velocity = {0.2, 0, -0.3}},
         {.shape = dem::Cylinder{{middle, middle, 0.6e-3}, x, 5 * width, 0.4e-3},
-         .material = 2,
+         .material = dem::MaterialId{2},
          .velocity = {0, 0.1, 0},
          .spin = {30, 0, 0},
          .pivot = {0, middle, 0.6e-3}}};
     if (!periodic)
         result.push_back({.shape = dem::Cylinder{{middle, middle, 0}, {0, 0, 1}, 5 * width, 0.6 * width},
-                          .material = 2,
+                          .material = dem::MaterialId{2},
                           .spin = {0, 0, 10},
                           .belt = {0, 0, 0.5}});
     return result;

@@ -17,7 +17,7 @@ constexpr double density = 2500;                          // [kg/m^3]
 dem::Wall plane(Vector3 const& centre, Vector3 const& u, Vector3 const& v, double half_u,
                 std::uint32_t material)
 {
-    return {.shape = dem::Rectangle{centre, u, v, half_u, 10}, .material = material};
+    return {.shape = dem::Rectangle{centre, u, v, half_u, 10}, .material = dem::MaterialId{material}};
 }
 
 contact::Model materials()

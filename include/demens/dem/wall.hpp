@@ -1,9 +1,8 @@
 #pragma once
 
 #include "demens/contact/evaluation/meeting.hpp"
+#include "demens/dem/ids.hpp"
 #include "demens/dem/wall_shape.hpp"
-
-#include <cstdint>
 
 namespace demens::dem {
 
@@ -11,7 +10,7 @@ namespace demens::dem {
 struct Wall
 {
     WallShape shape;
-    std::uint32_t material = 0;
+    MaterialId material = {};
     Vector3 velocity = {}; //!< of the pivot [m/s]
     Vector3 spin = {};     //!< [rad/s]
     Vector3 pivot = {};    //!< point of the wall about which it turns and torques are counted [m]

@@ -78,7 +78,7 @@ void CpuEngine::add(Body const& body, Vector3 const& v)
 
 WallId CpuEngine::add(Wall const& wall)
 {
-    DEMENS_EXPECT(wall.material < params_->materials.size(), "a material of the model");
+    DEMENS_EXPECT(wall.material.value < params_->materials.size(), "a material of the model");
     note_change();
     state_.wall_loads.push_back({});
     return state_.walls.add(wall);

@@ -279,7 +279,7 @@ void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector
         bool const is_mesh = std::holds_alternative<Mesh>(wall.shape);
         for (std::size_t k = 0; k < found.particles.size(); ++k) {
             std::uint32_t const i = found.particles[k];
-            auto& list = lists[interaction_[particles.material[i] * materials_ + wall.material]];
+            auto& list = lists[interaction_[particles.material[i] * materials_ + wall.material.value]];
             if (is_mesh) {
                 std::span const triangles(found.near_triangles.data() + found.triangle_start[k],
                                           found.triangle_start[k + 1] - found.triangle_start[k]);

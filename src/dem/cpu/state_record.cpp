@@ -254,7 +254,7 @@ void check_bodies(Params const& params, State const& state)
                    state.tally.loads_before.size() <= state.walls.size(),
                "walls and their loads");
     for (Wall const& wall : state.walls.all())
-        expect_fit(wall.material < params.materials.size(), "a wall has no material");
+        expect_fit(wall.material.value < params.materials.size(), "a wall has no material");
     expect_fit(state.steps_done >= 0, "the number of steps is negative");
 }
 

@@ -286,7 +286,7 @@ void enter(Bench& bench, Setup const& setup, std::size_t stage)
         if (setup.groups[g].stage != stage)
             continue;
         Look look(bench);
-        dem::MaterialId const material{material_index(setup.model, setup.groups[g].material)};
+        dem::MaterialId const material = material_id(setup.model, setup.groups[g].material);
         dem::BodyBatch batch;
         for (auto const& body : bodies_of(look, setup, g))
             batch.push_back({body.place, body.radius, material, body.velocity, body.spin});

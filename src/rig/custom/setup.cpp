@@ -134,7 +134,7 @@ Setup::Setup(RunInput const& input)
 
 double Setup::density(ParticleGroup const& group) const
 {
-    return model.materials[material_index(model, group.material)].density;
+    return material_named(model, group.material).density;
 }
 
 bool Setup::is_on(WallPlan const& wall, std::size_t stage) const

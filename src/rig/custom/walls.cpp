@@ -201,7 +201,7 @@ PlannedMotion read_motion(OptionValues const& o, std::vector<OptionValues> const
 WallPlan read_wall(OptionValues const& o, RunInput const& input)
 {
     WallPlan plan{o.text("name"), o.text("material"), {}, {}};
-    auto const material = material_index(input.model, plan.material);
+    auto const material = material_id(input.model, plan.material);
     auto const shapes = read_shapes(o, input);
     for (auto const& shape : shapes)
         plan.parts.push_back({.shape = shape,

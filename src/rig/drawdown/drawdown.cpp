@@ -24,8 +24,7 @@ enum MovingWall : std::uint32_t
 
 std::vector<dem::Wall> walls(Setup const& rig, double top)
 {
-    std::uint32_t const wood = material_index(rig.model, rig.wood),
-                        glass = material_index(rig.model, rig.glass);
+    dem::MaterialId const wood = material_id(rig.model, rig.wood), glass = material_id(rig.model, rig.glass);
     double const beyond = 0.05; // floors reach past the sides, so that no sphere meets an edge there
     double const half_depth = 0.5 * rig.depth + beyond;
     auto const floor = [&](double from_x, double to_x, double z) {
@@ -87,7 +86,7 @@ Apparatus build(Setup const& rig)
     apparatus.options.skin = rig.skin;
     apparatus.options.domain_lower = {-beyond, -rig.depth, -rig.drop - 0.1};
     apparatus.options.domain_upper = {beyond, rig.depth, top + 1};
-    dem::MaterialId const material{material_index(rig.model, rig.material)};
+    dem::MaterialId const material = material_id(rig.model, rig.material);
     for (std::size_t k = 0; k < places.size(); ++k)
         apparatus.bodies.push_back(
             {.position = places[k], .radius = 0.5 * diameters[k], .material = material});

@@ -85,7 +85,7 @@ Setup::Setup(RunInput const& input)
     for (auto const& other : {material, wood, glass})
         require_pair(model, material, other);
     mass = o.number("mass_kg");
-    density = model.materials[material_index(model, material)].density;
+    density = material_named(model, material).density;
     bulk_density = o.number("bulk_density");
     width = 1e-3 * o.number("box_width_mm");
     depth = 1e-3 * o.number("box_depth_mm");

@@ -37,13 +37,13 @@ std::vector<dem::Wall> walls(Setup const& setup)
                                                           .axis = axis,
                                                           .half_length = 0.5 * setup.drum.width + beyond,
                                                           .radius = setup.drum.radius},
-                                   .material = material_index(setup.model, setup.wall_material)}};
+                                   .material = material_id(setup.model, setup.wall_material)}};
     if (setup.ends != Ends::periodic)
         for (double const side : {-0.5, 0.5})
             all.push_back({.shape = dem::Disc{.centre = {0, side * setup.drum.width, 0},
                                               .axis = axis,
                                               .radius = setup.drum.radius + beyond},
-                           .material = material_index(setup.model, setup.end_material)});
+                           .material = material_id(setup.model, setup.end_material)});
     return all;
 }
 
@@ -115,7 +115,7 @@ void drop_batch(Bench& bench, Setup const& setup)
     for (std::size_t k = 0; k < places.size(); ++k)
         bodies.push_back({.position = places[k],
                           .radius = 0.5 * batch[k],
-                          .material = dem::MaterialId{material_index(setup.model, setup.material)},
+                          .material = material_id(setup.model, setup.material),
                           .velocity = velocity});
     bench.simulation.add(bodies);
 }

@@ -163,7 +163,7 @@ Setup::Setup(RunInput const& input)
     for (auto const& other : {material, wall_material, end_material})
         require_pair(model, material, other);
     ends = read_word(end_words, o.text("ends"));
-    density = model.materials[material_index(model, material)].density;
+    density = material_named(model, material).density;
     bulk_density = bulk_density_of(o, density);
     drum = state_of(o, bulk_density);
     discard_turns = o.number("discard_turns");

@@ -44,14 +44,12 @@ struct Setup
 
 Apparatus build(Setup const& setup)
 {
-    auto const material = [&](char const* key) {
-        return material_index(setup.model, setup.options.text(key));
-    };
+    auto const material = [&](char const* key) { return material_id(setup.model, setup.options.text(key)); };
     Apparatus apparatus{.model = setup.model, .options = simulation_options(setup.options, setup.time_step)};
     apparatus.options.skin = 0.1 * setup.radius;
     apparatus.bodies = {{.position = {0, 0, setup.radius * (1 + 1e-12)},
                          .radius = setup.radius,
-                         .material = dem::MaterialId{material("material")},
+                         .material = material("material"),
                          .velocity = {setup.tangential, 0, -setup.normal},
                          .spin = {0, -setup.options.number("spin_rad_s"), 0}}};
     apparatus.walls = {{.shape = dem::Rectangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1e6, 1e6},

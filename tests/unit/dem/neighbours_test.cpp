@@ -210,7 +210,7 @@ TEST(Neighbours, WallsListTheParticlesWithinReach)
     auto particles = random_particles(200, 6, 9);
     auto lists = empty_lists();
     std::vector<dem::Wall> const walls = {
-        {.shape = dem::Rectangle{{3, 3, 1}, {1, 0, 0}, {0, 1, 0}, 1, 2}, .material = 1},
+        {.shape = dem::Rectangle{{3, 3, 1}, {1, 0, 0}, {0, 1, 0}, 1, 2}, .material = dem::MaterialId{1}},
         {.shape = dem::Rectangle{{3, 3, 1}, {1, 0, 0}, {0, 1, 0}, 9, 9}, .active = false}};
     dem::NeighbourSearch search(2, {0, 1, 2, 3});
     search.rebuild(particles, walls, {0.1, 0.1}, lists);
