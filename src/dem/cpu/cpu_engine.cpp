@@ -15,8 +15,8 @@ constexpr double near_share = 0.25; // how far contacts reach beyond touch, over
 }
 
 CpuEngine::CpuEngine(contact::Model const& model, SimulationOptions const& options)
-    : params_(make_params(model, options)), partition_(make_partition(options)),
-      accounts_(make_accounts(options.energy_ledger)),
+    : params_(make_params(model, options)), bodies_of_(model.materials.size()),
+      partition_(make_partition(options)), accounts_(make_accounts(options.energy_ledger)),
       search_(params_->materials.size(), params_->interaction, options.periodic)
 {
     DEMENS_EXPECT(options.time_step > 0 && options.skin >= 0,
@@ -62,6 +62,7 @@ void CpuEngine::add(Body const& body, Vector3 const& v)
     double const mass =
         params_->materials[body.material.value].density * 4.0 / 3.0 * std::numbers::pi * r * r * r;
     DEMENS_EXPECT(mass > 0, "a body has a mass");
+    bodies_enter(body.material, 1);
     note_change();
     auto const id = state_.particles_added++;
     Particles& particles = state_.particles;
@@ -76,9 +77,30 @@ void CpuEngine::add(Body const& body, Vector3 const& v)
     accounts_->particle_added(*params_, state_);
 }
 
+void CpuEngine::bodies_enter(MaterialId material, std::uint32_t count)
+{
+    auto& bodies = bodies_of_[material.value];
+    bool const is_new = bodies == 0;
+    if (bodies > 1 || count == 0)
+        return;
+    bodies = std::min(bodies + count, 2u);
+    if (bodies > 1)
+        require_laws(*params_, material, material);
+    if (!is_new)
+        return;
+    for (std::uint32_t other = 0; other < bodies_of_.size(); ++other)
+        if (bodies_of_[other] > 0 && other != material.value)
+            require_laws(*params_, material, MaterialId{other});
+    for (Wall const& wall : state_.walls.all())
+        require_laws(*params_, material, wall.material);
+}
+
 WallId CpuEngine::add(Wall const& wall)
 {
     DEMENS_EXPECT(wall.material.value < params_->materials.size(), "a material of the model");
+    for (std::uint32_t material = 0; material < bodies_of_.size(); ++material)
+        if (bodies_of_[material] > 0)
+            require_laws(*params_, MaterialId{material}, wall.material);
     note_change();
     state_.wall_loads.push_back({});
     return state_.walls.add(wall);

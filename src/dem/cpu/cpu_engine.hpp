@@ -43,6 +43,8 @@ class CpuEngine final : public Engine
     //! What was gathered and the neighbour lists no longer say how it is.
     void note_change();
     void add(Body const& body, Vector3 const& velocity_behind);
+    //! \throws InputError where bodies of a material meet others, or walls, without laws for it.
+    void bodies_enter(MaterialId material, std::uint32_t count);
     void begin();
     void step();
     void move_bodies();
@@ -54,6 +56,7 @@ class CpuEngine final : public Engine
 
     std::shared_ptr<Params const> params_;
     State state_;
+    std::vector<std::uint32_t> bodies_of_; //!< how many of each material were added, up to 2
     std::unique_ptr<Partition> partition_;
     std::unique_ptr<EnergyAccounts> accounts_;
     NeighbourSearch search_;

@@ -27,10 +27,21 @@ void add_law_set(Params& params, std::size_t a, std::size_t b, contact::PairProp
 
 } // namespace
 
+void require_laws(Params const& params, MaterialId a, MaterialId b)
+{
+    if (params.interaction[a.value * params.materials.size() + b.value] != Params::no_laws)
+        return;
+    std::string const& first = params.materials[a.value].name;
+    std::string const& second = params.materials[b.value].name;
+    throw InputError(first + " meets " + second +
+                     ", but no pair of the model says how they touch: give [contact." + first + "_" + second +
+                     "]");
+}
+
 std::shared_ptr<Params const> make_params(contact::Model const& model, SimulationOptions const& options)
 {
     Params params{options, model.materials, {}, {}, {}, {}};
-    params.interaction.assign(model.materials.size() * model.materials.size(), 0);
+    params.interaction.assign(model.materials.size() * model.materials.size(), Params::no_laws);
     // A law may treat its two bodies differently (each has its own modulus), so unlike materials get a law
     // set for either order.
     for (auto const& pair : model.pairs) {

@@ -84,6 +84,45 @@ TEST(Simulation, AWallIsPutElsewhereAndStandsStill)
     EXPECT_NEAR(std::get<dem::Rectangle>(s.wall(wall).shape).centre.z, -2 + 100 * dt * 5, 1e-12);
 }
 
+TEST(Simulation, MaterialsThatMeetWithoutLawsAreRefused)
+{
+    // Only glass has laws with itself and with wood.
+    contact::Model const model{
+        {{"glass", 2500, 1e7, 0.3}, {"wood", 700, 1e7, 0.3}, {"steel", 7800, 1e7, 0.3}},
+        {{.first = "glass", .second = "glass"}, {.first = "wood", .second = "glass"}}};
+    constexpr dem::MaterialId glass{0}, wood{1}, steel{2};
+    auto const refusal = [&](std::vector<dem::MaterialId> const& bodies,
+                             std::vector<dem::MaterialId> const& walls, bool walls_first) -> std::string {
+        dem::Simulation s(model, {.time_step = dt, .skin = 0.1 * r});
+        auto const add_walls = [&] {
+            for (auto const material : walls)
+                s.add(dem::Wall{.shape = floor_at(0), .material = material});
+        };
+        try {
+            if (walls_first)
+                add_walls();
+            for (auto const material : bodies)
+                s.add(dem::Body{
+                    .position = {3 * r * s.counts().particles, 0, r}, .radius = r, .material = material});
+            if (!walls_first)
+                add_walls();
+        } catch (InputError const& error) {
+            return error.what();
+        }
+        return "";
+    };
+    for (bool const walls_first : {false, true}) {
+        EXPECT_EQ(refusal({glass, glass, wood}, {glass, steel}, walls_first).find("glass meets steel"), 0u)
+            << walls_first;
+        EXPECT_EQ(refusal({glass, glass, wood}, {}, walls_first), "");
+        EXPECT_EQ(refusal({wood}, {glass, glass}, walls_first), "");
+        EXPECT_EQ(refusal({glass, wood, wood}, {}, walls_first),
+                  "wood meets wood, but no pair of the model says how they touch: give [contact.wood_wood]");
+    }
+    EXPECT_EQ(refusal({steel}, {}, false), ""); // alone it meets nothing
+    EXPECT_EQ(refusal({steel, glass}, {}, false).find("glass meets steel"), 0u);
+}
+
 TEST(Simulation, AnInactiveWallTouchesNothing)
 {
     auto s = simulation();
