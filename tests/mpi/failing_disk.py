@@ -2,8 +2,11 @@
 command ends in bounded time, with an error that names the file or as if nothing had happened, never by a signal; and the
 next command, on a sound disk, makes of the campaign what it is when nothing fails.
 
-Arguments: session_driver mpirun demens library [every: all places instead of a spread]"""
-import os, shutil, subprocess, sys
+Arguments: session_driver mpirun demens library [every: all places instead of a spread]
+
+With `every` what was tried is kept in a file that is named after the programs, so that the sweep, which takes hours, goes on where
+it was stopped; another build begins anew."""
+import hashlib, os, shutil, subprocess, sys
 from pathlib import Path
 
 driver, mpirun, _, library = sys.argv[1:5]
@@ -71,22 +74,47 @@ def fail_at(ranks, rank, kind, place, right):
     return outcome if dump() == right else f"FAULT: {where}: goes on to another campaign"
 
 
+class Outcomes:
+    """What came of each place, kept in a file where all places are tried."""
+
+    def __init__(self):
+        self.known, self.file = {}, None
+        if not every:
+            return
+        programs = b"".join(Path(program).read_bytes() for program in (driver, library, __file__))
+        self.file = Path(f"outcomes-{hashlib.sha256(programs).hexdigest()[:12]}.txt")
+        for line in self.file.read_text().splitlines() if self.file.exists() else []:
+            place, _, outcome = line.partition(": ")
+            self.known[place] = outcome
+
+    def of(self, place, trial):
+        if place not in self.known:
+            self.known[place] = trial().replace("\n", " | ")
+            if self.file:
+                with self.file.open("a") as out:
+                    out.write(f"{place}: {self.known[place]}\n")
+        return self.known[place]
+
+
 def main():
-    shutil.rmtree(folder, ignore_errors=True)
-    Path(folder).mkdir()
+    if not every:
+        shutil.rmtree(folder, ignore_errors=True)
+    Path(folder).mkdir(exist_ok=True)
     os.chdir(folder)
+    outcomes = Outcomes()
     fresh()
     if command(1, run).returncode != 0:
         sys.exit("FAILED: the campaign without any failure")
     right = dump()
     faults, counts = [], {}
-    for ranks, rank in ((1, 0), (2, 0), (2, 1)):
+    for ranks, rank in ((2, 1), (2, 0), (1, 0)):
         for kind in kinds:
             calls = number_of_calls(ranks, rank, kind)
             # Reads are many and alike, and tried again when they fail.
             step = max(1, calls // (spread if not every else calls if kind == "writing" else 40))
             for place in range(1 + step // 2, calls + 1, step):
-                outcome = fail_at(ranks, rank, kind, place, right)
+                outcome = outcomes.of(f"{ranks} ranks, rank {rank}, {kind} {place}",
+                                      lambda: fail_at(ranks, rank, kind, place, right))
                 if outcome.startswith("FAULT"):
                     print(outcome, flush=True)
                     faults.append(outcome)
