@@ -73,8 +73,11 @@ Campaign read_for_all(MPI_Comm communicator, std::filesystem::path const& file, 
     auto const files = share_files(communicator, campaign ? campaign->input.files() : rig::Files{});
     on_all(communicator, [&] {
         if (!campaign)
-            campaign = Campaign{
-                CampaignInput::from_text(toml, file.string(), rigs, input::stored_files(files)), {}, ended};
+            campaign =
+                Campaign{CampaignInput::from_text(toml, file.string(), rigs, input::stored_files(files),
+                                                  input::OldWords::understood),
+                         {},
+                         ended};
     });
     for (int number = 0; number < waves.front(); ++number)
         share_wave(communicator, *campaign, number);

@@ -168,6 +168,34 @@ void audit_campaign(hid_t file)
     audit(file, version >= first_version_with_check_sums ? CheckSums::required : CheckSums::where_present);
 }
 
+//! Runs and design points are numbered from 0 on, waves one after the other; all that is stored relies on it.
+//! \throws FileError
+void require_numbers(Campaign const& campaign)
+{
+    int next_run = 0, points_before = 0;
+    for (auto const& wave : campaign.waves) {
+        int next_point = points_before;
+        for (auto const& run : wave.runs) {
+            auto const replicates =
+                campaign.input.experiments.at(static_cast<std::size_t>(run.experiment)).replicates;
+            if (run.run != next_run)
+                throw FileError(fmt::format("{}/runs/run: {} stands where run {} should",
+                                            wave_path(wave.number), run.run, next_run));
+            if (run.point != next_point && (run.point != next_point - 1 || next_point == points_before))
+                throw FileError(
+                    fmt::format("{}/runs/point: run {} is of design point {}, which does not follow "
+                                "those before it",
+                                wave_path(wave.number), run.run, run.point));
+            if (run.replicate < 0 || run.replicate >= replicates)
+                throw FileError(fmt::format("{}/runs/replicate: run {} is replicate {} of {}",
+                                            wave_path(wave.number), run.run, run.replicate, replicates));
+            next_point = run.point + 1;
+            ++next_run;
+        }
+        points_before = next_point;
+    }
+}
+
 } // namespace
 
 void write_header(hid_t file, CampaignInput const& input)
@@ -215,11 +243,11 @@ Campaign read_campaign(fs::path const& path, Rigs const& rigs)
 {
     auto const file = open_campaign(path);
     try {
-        Campaign campaign{CampaignInput::from_text(read_text(file, "/input/toml"),
-                                                   path.string() + ":/input/toml", rigs,
-                                                   input::stored_files(read_files(file))),
-                          {},
-                          hdf5::text_attribute(file, "/", "ended")};
+        Campaign campaign{
+            CampaignInput::from_text(read_text(file, "/input/toml"), path.string() + ":/input/toml", rigs,
+                                     input::stored_files(read_files(file)), input::OldWords::understood),
+            {},
+            hdf5::text_attribute(file, "/", "ended")};
         auto const waves = hdf5::children(file, "/waves");
         for (int number = 0; number < static_cast<int>(waves.size()); ++number) {
             if (!hdf5::exists(file, wave_path(number)))
@@ -227,6 +255,7 @@ Campaign read_campaign(fs::path const& path, Rigs const& rigs)
                     fmt::format("{} waves are there, but not {}", waves.size(), wave_path(number)));
             campaign.waves.push_back(read_wave(file, number, campaign.input));
         }
+        require_numbers(campaign);
         return campaign;
     } catch (FileError const& error) {
         throw InputError(fmt::format("{}: damaged: {}", path.string(), error.what()));

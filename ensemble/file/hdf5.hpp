@@ -185,6 +185,7 @@ void set_attribute(hid_t at, std::string const& path, std::string const& name,
 void set_attribute(hid_t at, std::string const& path, std::string const& name, std::string const& text);
 void set_attribute(hid_t at, std::string const& path, std::string const& name, double value);
 void set_attribute(hid_t at, std::string const& path, std::string const& name, std::int64_t value);
+void set_attribute(hid_t at, std::string const& path, std::string const& name, std::uint32_t value);
 bool has_attribute(hid_t at, std::string const& path, std::string const& name);
 std::vector<std::string> texts_attribute(hid_t at, std::string const& path, std::string const& name);
 std::string text_attribute(hid_t at, std::string const& path, std::string const& name);

@@ -227,9 +227,40 @@ void check_shape(NamedArray const& array, CampaignInput const& input)
     hdf5::require_shape(array.path, array.shape, right);
 }
 
-std::vector<NamedArray> read_analysis(hid_t file, int wave, CampaignInput const& input)
+//! What is used to number something must number it. \throws FileError
+void check_numbers(NamedArray const& array, Wave const& wave, CampaignInput const& input)
 {
-    auto const base = wave_path(wave);
+    int last_run = -1, last_point = -1;
+    for (auto const& run : wave.runs) {
+        last_run = std::max(last_run, run.run);
+        last_point = std::max(last_point, run.point);
+    }
+    std::size_t most_responses = 0;
+    for (auto const& experiment : input.experiments)
+        most_responses = std::max(most_responses, experiment.responses.size());
+    auto const count = [](std::size_t size) { return static_cast<double>(size) - 1; };
+    struct Numbers
+    {
+        char const* path;
+        double least, most;
+    };
+    for (auto const& [path, least, most] :
+         {Numbers{stored::optimum::best_point_number.path, -1, static_cast<double>(last_point)},
+          Numbers{stored::optimum::best_run.path, -1, static_cast<double>(last_run)},
+          Numbers{stored::optimum::factor_verdict.path, 0, 6}, Numbers{stored::surrogate::kind.path, 0, 5},
+          Numbers{stored::tradeoff::factors.path, 0, count(input.factors.size())},
+          Numbers{stored::tradeoff::response.path, -1,
+                  std::max(count(input.experiments.size()), count(most_responses))}})
+        if (array.path == path)
+            for (double const value : array.data)
+                if (std::isfinite(value) && !(value == std::floor(value) && value >= least && value <= most))
+                    throw FileError(
+                        fmt::format("{}: {} is no whole number from {} to {}", path, value, least, most));
+}
+
+std::vector<NamedArray> read_analysis(hid_t file, Wave const& wave, CampaignInput const& input)
+{
+    auto const base = wave_path(wave.number);
     std::vector<std::string> paths;
     for (auto const& name : hdf5::children(file, base))
         if (name != "design" && name != "runs" && name != "responses")
@@ -242,6 +273,7 @@ std::vector<NamedArray> read_analysis(hid_t file, int wave, CampaignInput const&
             {path, std::move(array.shape), std::move(array.data), hdf5::text_attribute(file, full, "units"),
              hdf5::has_attribute(file, full, "doc") ? hdf5::text_attribute(file, full, "doc") : ""});
         check_shape(arrays.back(), input);
+        check_numbers(arrays.back(), wave, input);
     }
     return arrays;
 }
@@ -348,7 +380,7 @@ Wave read_wave(hid_t file, int number, CampaignInput const& input)
     }
     if (hdf5::exists(file, table + "status"))
         read_results(file, wave, input);
-    wave.analysis = read_analysis(file, number, input);
+    wave.analysis = read_analysis(file, wave, input);
     return wave;
 }
 

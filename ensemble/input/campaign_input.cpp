@@ -1,9 +1,11 @@
 #include "ensemble/input/campaign_input.hpp"
 
 #include "ensemble/input/base_input.hpp"
+#include "ensemble/input/design_table.hpp"
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/nearest.hpp"
 #include "ensemble/input/objective_input.hpp"
+#include "ensemble/input/old_words.hpp"
 #include "ensemble/input/resolved_text.hpp"
 #include "ensemble/input/section.hpp"
 #include "ensemble/input/toml_file.hpp"
@@ -30,9 +32,12 @@ CampaignInput CampaignInput::from_file(std::filesystem::path const& file,
 }
 
 CampaignInput CampaignInput::from_text(std::string const& toml, std::string const& origin,
-                                       std::vector<rig::RigInfo> const& rigs, input::FileSource const& files)
+                                       std::vector<rig::RigInfo> const& rigs, input::FileSource const& files,
+                                       input::OldWords old_words)
 {
-    auto const parsed = input::parse_toml(toml, origin);
+    auto parsed = input::parse_toml(toml, origin);
+    if (old_words == input::OldWords::understood)
+        input::understand_old_words(parsed);
     input::InputTable const file(parsed, "", origin);
     file.allow_only({"campaign", "material", "contact", "size_distribution", "experiment", "factor",
                      "constraint", "screening", "design", "objective", "surrogate", "search", "solver",
@@ -58,10 +63,10 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     auto const design = file.table("design");
     read_section(design, input::keys_of(input::design_lists()), campaign.design);
     campaign.design.generators = design.words("generators");
-    campaign.design.table = design.rows_of_numbers("table");
+    campaign.warnings_ = input::read_design_table(design, files, campaign, tree->files);
     read_section(file.table("surrogate"), {}, campaign.surrogate);
     read_section(file.table("search"), {}, campaign.search);
-    input::check_old_words(file.table("solver"));
+    input::refuse_old_words(file.table("solver"));
     read_section(file.table("solver"), {}, campaign.solver);
     read_section(file.table("stop"), {}, campaign.stop);
     read_section(file.table("run"), {}, campaign.run);
@@ -77,7 +82,7 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
 
 std::vector<std::string> CampaignInput::warnings() const
 {
-    std::vector<std::string> all;
+    std::vector<std::string> all = warnings_;
     for (std::size_t e = 0; e < experiments.size(); ++e)
         if (auto const& warnings = experiments[e].rig->warnings)
             for (auto const& warning : warnings(input::make_run_input(*tree_, {}, static_cast<int>(e), seed)))

@@ -67,7 +67,8 @@ struct DesignOptions
     std::vector<std::string>
         generators; //!< fractional factorial and its composite, e.g. "E=ABC"; empty: chosen
     std::vector<std::vector<double>>
-        table; //!< rows of factor values: `kind = "table"`, or kept by a D-optimal design
+        table;              //!< rows of factor values: `kind = "table"`, or kept by a D-optimal design
+    std::string table_file; //!< CSV file that they come from; empty: inline
 };
 
 //! A wave before the design that finds out which factors act.
@@ -130,6 +131,15 @@ struct RunOptions
 //! What `rig = "..."` in a campaign may name.
 using Rigs = std::vector<rig::RigInfo>;
 
+namespace input {
+//! What is done where `[solver]` is written as it was before `[search]` existed.
+enum class OldWords
+{
+    refused,   //!< in what an author writes: the message says what to write now
+    understood //!< in what a campaign file holds, so that it can be gone on with
+};
+} // namespace input
+
 //! A campaign as its author wrote it, checked and complete with defaults.
 class CampaignInput
 {
@@ -140,7 +150,8 @@ class CampaignInput
     //! The same from text; `origin` stands for the file in messages, `files` has those that the text names.
     static CampaignInput from_text(std::string const& toml, std::string const& origin,
                                    Rigs const& rigs = rig::all_rigs(),
-                                   input::FileSource const& files = input::no_files);
+                                   input::FileSource const& files = input::no_files,
+                                   input::OldWords old_words = input::OldWords::refused);
 
     std::string name;
     std::uint64_t seed = 1;
@@ -174,7 +185,8 @@ class CampaignInput
 
   private:
     std::string text_, resolved_text_;
-    struct Tree; //!< the resolved input, private to the reader
+    std::vector<std::string> warnings_; //!< of the reading
+    struct Tree;                        //!< the resolved input, private to the reader
     std::shared_ptr<Tree const> tree_;
 };
 

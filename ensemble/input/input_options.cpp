@@ -168,6 +168,7 @@ std::vector<DesignKind> design_kinds_using(std::string const& key)
         {"model", {d_optimal}},
         {"generators", {fractional_factorial, central_composite}},
         {"table", {table, d_optimal}},
+        {"table_file", {table, d_optimal}},
     };
     auto const found = kinds.find(key);
     return found == kinds.end() ? std::vector<DesignKind>{} : found->second;

@@ -151,6 +151,7 @@ void write_design(Writer& out, DesignOptions const& design)
     };
     auto specs = specs_of<DesignOptions>();
     std::erase_if(specs, unused);
+    std::erase_if(specs, [](OptionSpec const& spec) { return spec.names_file; }); // its rows stand below
     out.options(specs, values_of(design));
     std::map<std::string, std::string> lists;
     if (!design.generators.empty())

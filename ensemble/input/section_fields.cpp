@@ -21,6 +21,10 @@ std::vector<Field<DesignOptions>> const& fields_of()
         field(&DesignOptions::model, {.key = "model",
                                       .doc = "polynomial whose coefficients are to be found",
                                       .choices = {"linear", "interaction", "quadratic"}}),
+        field(&DesignOptions::table_file,
+              {.key = "table_file",
+               .doc = "CSV file with a column for each factor and a row for each design point",
+               .names_file = true}),
     };
     return fields;
 }

@@ -1,5 +1,6 @@
 #include "ensemble/input/whole_checks.hpp"
 
+#include "ensemble/input/design_table.hpp"
 #include "ensemble/input/input_options.hpp"
 
 #include <algorithm>
@@ -10,19 +11,6 @@ namespace demens::ensemble::input {
 namespace {
 
 using Point = std::vector<double>;
-
-//! Text of the first constraint that a point breaks; empty when it satisfies all.
-std::string broken_constraint(CampaignInput const& input, Point const& point)
-{
-    for (auto const& constraint : input.constraints) {
-        double sum = 0;
-        for (std::size_t f = 0; f < point.size(); ++f)
-            sum += constraint.coefficients[f] * point[f];
-        if (sum > constraint.bound)
-            return constraint.text;
-    }
-    return {};
-}
 
 std::string joined_words(std::vector<DesignKind> const& kinds)
 {
@@ -41,24 +29,9 @@ void check_design(InputTable const& design, CampaignInput const& input)
                                                 word_for(input.design.kind), joined_words(kinds)));
     }
     if (input.design.kind == DesignKind::table && input.design.table.empty())
-        throw design.error("kind",
-                           "needs table = [[...], ...] with one row of factor values for each design point");
-
-    for (std::size_t row = 0; row < input.design.table.size(); ++row) {
-        auto const& point = input.design.table[row];
-        auto const where = fmt::format("row {} ({})", row + 1, fmt::join(point, ", "));
-        if (point.size() != input.factors.size())
-            throw design.error("table", fmt::format("{} has {} values; there are {} factors", where,
-                                                    point.size(), input.factors.size()));
-        for (std::size_t f = 0; f < point.size(); ++f) {
-            auto const& factor = input.factors[f];
-            if (point[f] < factor.lower || point[f] > factor.upper)
-                throw design.error("table", fmt::format("{}: {} = {} is outside its bounds {} and {}", where,
-                                                        factor.name, point[f], factor.lower, factor.upper));
-        }
-        if (auto const broken = broken_constraint(input, point); !broken.empty())
-            throw design.error("table", fmt::format("{} breaks the constraint \"{}\"", where, broken));
-    }
+        throw design.error(
+            "kind", "needs table = [[...], ...] with one row of factor values for each design point, or "
+                    "table_file = \"FILE.csv\"");
 }
 
 void check_budget(InputTable const& design, InputTable const& stop, CampaignInput const& input)
@@ -84,7 +57,9 @@ void check_budget(InputTable const& design, InputTable const& stop, CampaignInpu
                                                               : input.design.points;
     if (static_cast<long>(points) * runs_per_point > input.stop.runs)
         throw design.error(
-            input.design.kind == DesignKind::table ? "table" : "points",
+            input.design.kind != DesignKind::table ? "points"
+            : input.design.table_file.empty()      ? "table"
+                                                   : "table_file",
             fmt::format("{} design points need {} runs ({} each), but [stop] runs = {}; raise one or "
                         "lower the other",
                         points, static_cast<long>(points) * runs_per_point, runs_per_point, input.stop.runs));
@@ -185,21 +160,6 @@ void check_sections(InputTable const& file, CampaignInput const& input)
     check_design(design, input);
     check_search(file.table("solver"), input);
     check_budget(design, file.table("stop"), input);
-}
-
-void check_old_words(InputTable const& solver)
-{
-    if (solver.has("batch"))
-        throw solver.error("batch", "stands in [search] now; write it there");
-    OptionSpec const any_word{.key = "kind", .default_value = std::string(), .doc = "solver"};
-    if (!solver.has("kind"))
-        return;
-    auto const kind = std::get<std::string>(solver.read_option(any_word));
-    if (find_word<SearchKind>(kind))
-        throw solver.error(
-            "kind", fmt::format("names how points are chosen, which stands in [search] now; write kind = "
-                                "\"{}\" there and leave it out here",
-                                kind));
 }
 
 void check_rigs(CampaignInput const& input, BaseInput const& base,

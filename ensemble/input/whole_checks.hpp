@@ -6,8 +6,6 @@ namespace demens::ensemble::input {
 
 //! What sections must satisfy together: design and factors, targets, budget. \throws InputError
 void check_sections(InputTable const& file, CampaignInput const& input);
-//! Says what to write now where `[solver]` is as it was written before `[search]` existed. \throws InputError
-void check_old_words(InputTable const& solver);
 //! Lets every rig check the base input and the corners of the factors' ranges, so that no run can be refused
 //! later for what its author wrote. \throws InputError
 void check_rigs(CampaignInput const& input, BaseInput const& base,

@@ -189,6 +189,26 @@ TEST(HostileFile, ShapesThatDoNotFitAreRefused)
     EXPECT_THAT(refusal_after(list), HasSubstr("the attribute format_version of / is not one number"));
 }
 
+TEST(HostileFile, NumbersThatNumberNothingAreRefused)
+{
+    auto const wave = std::string("/waves/0000/");
+    std::vector<std::size_t> const six = {6}, pair = {1, 2};
+    EXPECT_THAT(refusal_with<int>(wave + "runs/run", six, {0, 0, 0, 0, 0, 0}),
+                HasSubstr("/waves/0000/runs/run: 0 stands where run 1 should"));
+    EXPECT_THAT(refusal_with<int>(wave + "runs/run", six, {0, 1, 2, 3, 4, 6}),
+                HasSubstr("6 stands where run 5 should"));
+    EXPECT_THAT(refusal_with<double>(wave + "optimum/best_run", {1}, {6}),
+                HasSubstr("optimum/best_run: 6 is no whole number from -1 to 5"));
+    EXPECT_THAT(refusal_with<double>(wave + "optimum/best_point_number", {1}, {0.5}),
+                HasSubstr("best_point_number: 0.5 is no whole number"));
+    EXPECT_THAT(refusal_with<double>(wave + "optimum/factor_verdict", {2}, {0, 7}),
+                HasSubstr("factor_verdict: 7 is no whole number from 0 to 6"));
+    EXPECT_THAT(refusal_with<double>(wave + "tradeoff/factors", pair, {0, 2}),
+                HasSubstr("tradeoff/factors: 2 is no whole number from 0 to 1"));
+    EXPECT_THAT(refusal_with<double>(wave + "tradeoff/response", pair, {0, 99}),
+                HasSubstr("tradeoff/response: 99 is no whole number"));
+}
+
 TEST(HostileFile, ASessionDoesNotWorkThroughLinks)
 {
     create("target.h5");

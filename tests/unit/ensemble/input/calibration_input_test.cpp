@@ -107,6 +107,22 @@ TEST(SearchInput, TellsOldFilesWhatToWriteNow)
                 HasSubstr("stands in [search] now"));
 }
 
+TEST(SearchInput, UnderstandsOldTextsOfCampaignFiles)
+{
+    auto const old = replaced(replaced(good_campaign(), "[search]\nbatch = 4\n", ""), "kind = \"pounders\"",
+                              "kind = \"rbf_distance\"\nbatch = 6");
+    EXPECT_THAT(message_about(old), HasSubstr("stands in [search] now"));
+    auto const campaign =
+        CampaignInput::from_text(old, "stored.h5", rigs(), input::no_files, input::OldWords::understood);
+    EXPECT_EQ(campaign.search.kind, SearchKind::rbf_distance);
+    EXPECT_EQ(campaign.search.batch, 6);
+    EXPECT_EQ(campaign.solver.kind, SolverKind::pounders);
+    EXPECT_EQ(campaign.text(), old);
+    auto const now = CampaignInput::from_text(good_campaign(), "stored.h5", rigs(), input::no_files,
+                                              input::OldWords::understood);
+    EXPECT_EQ(now.resolved_text(), read(good_campaign()).resolved_text());
+}
+
 TEST(TransformInput, NeedsWhatItsFormulaNeeds)
 {
     auto const campaign = read(with_flow("transform = \"logit\", lower = 0, upper = 9"));

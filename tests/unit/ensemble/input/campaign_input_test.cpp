@@ -3,6 +3,7 @@
 #include "tests/unit/ensemble/input/test_rigs.hpp"
 
 #include <cmath>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace demens::test {
@@ -147,6 +148,64 @@ TEST(CampaignInput, ADesignTableIsReadRowByRow)
                                      "kind = \"table\"\ntable = [[0.5, 0.4, 1e7], [1, 1, 1e6]]"));
     EXPECT_EQ(input.design.table, (std::vector<std::vector<double>>{{0.5, 0.4, 1e7}, {1, 1, 1e6}}));
     EXPECT_EQ(read(input.resolved_text()).design.table, input.design.table);
+}
+
+//! Of the good campaign.
+std::vector<std::string> good_factor_names()
+{
+    std::vector<std::string> names;
+    for (auto const& factor : read(good_campaign()).factors)
+        names.push_back(factor.name);
+    return names;
+}
+
+//! The good campaign with its design in a CSV file of that content.
+CampaignInput with_design_file(std::string const& csv)
+{
+    return CampaignInput::from_text(replaced(good_campaign(), "kind = \"latin_hypercube\"\npoints = 12",
+                                             "kind = \"table\"\ntable_file = \"points.csv\""),
+                                    "test.toml", rigs(), [&](std::string const&) { return csv; });
+}
+
+std::string refusal_of_design_file(std::string const& csv)
+{
+    try {
+        with_design_file(csv);
+    } catch (InputError const& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(CampaignInput, ADesignTableIsReadFromAFileInAnyDialect)
+{
+    auto const names = good_factor_names();
+    auto const header = names[0] + ";" + names[1] + ";operator;" + names[2] + "\r\n";
+    auto const input = with_design_file("\xEF\xBB\xBF" + header + "0,5;0,4;Ann;+1e7\r\n1;1;Bob;1e6\r\n");
+    EXPECT_EQ(input.design.table, (std::vector<std::vector<double>>{{0.5, 0.4, 1e7}, {1, 1, 1e6}}));
+    ASSERT_EQ(input.warnings().size(), 1u);
+    EXPECT_EQ(input.warnings()[0],
+              "design.table_file: points.csv: `operator` names no factor and is not used");
+    EXPECT_EQ(input.files().count("points.csv"), 1u);
+    EXPECT_EQ(read(input.resolved_text()).design.table, input.design.table);
+}
+
+TEST(CampaignInput, ADesignFileIsRefusedByRowAndColumn)
+{
+    using ::testing::AllOf;
+    using ::testing::HasSubstr;
+    auto const names = good_factor_names();
+    auto const header = names[0] + "," + names[1] + "," + names[2] + "\n";
+    EXPECT_THAT(
+        refusal_of_design_file(header + "0.5,0.4,1e7\n0.5,,1e7\n"),
+        AllOf(HasSubstr("design.table_file"), HasSubstr("points.csv:3: column `" + names[1] + "` has no")));
+    EXPECT_THAT(refusal_of_design_file(header + "0.5,x,1e7\n"), HasSubstr("points.csv:2"));
+    EXPECT_THAT(
+        refusal_of_design_file(header + "0.5,77,1e7\n"),
+        HasSubstr("points.csv:2: row 1 (0.5, 77, 10000000): " + names[1] + " = 77 is outside its bounds"));
+    EXPECT_THAT(refusal_of_design_file(header), HasSubstr("holds no rows"));
+    EXPECT_THAT(refusal_of_design_file(names[0] + "," + names[1] + "\n0.5,0.4\n"),
+                HasSubstr("has no column `" + names[2] + "`"));
 }
 
 TEST(ResolvedText, ReadAgainGivesTheSameCampaign)
