@@ -96,7 +96,7 @@ function show_responses(parent) {
         .concat(campaign.optimum ? [['best point', colours.best]] : []));
     parent.append(element('p', {class: 'note'}, 'Dots are runs'
         + (campaign.surrogate ? ', darker the closer their other factors are to the optimum of the surrogates. Line: surrogate '
-           + 'through that optimum, ± one standard deviation' : '') + '. Green: measured value and tolerance.'));
+           + 'through that optimum, ± one standard deviation' : '') + '. Green: measured value and tolerance.' + note_of_drawn(finished_runs, 'runs')));
     for (const target of all_targets) show_response_row(parent, target);
 
     const others = campaign.experiments.flatMap((experiment, e) => experiment.responses.map((response, r) => ({
@@ -129,7 +129,7 @@ function show_response_row(parent, target) {
         ? [target.value - (target.tolerance || 0), target.value + (target.tolerance || 0)] : [];
     const domain = extent(values.concat(bounds));
     campaign.factors.forEach((factor, index) => {
-        show_response(row, target, factor, index, runs, domain, across > 3 ? 200 : 290);
+        show_response(row, target, factor, index, drawn(runs, is_best), domain, across > 3 ? 200 : 290);
     });
 }
 

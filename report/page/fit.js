@@ -98,7 +98,10 @@ function targets_out_of_reach() {
     const informs = campaign.surrogate && campaign.surrogate.informs ? campaign.surrogate.informs : [];
     const unused = all_targets.filter((target) => informs[target.index] === 0).map((target) => element('p', {class: 'bad'},
         `The surrogate of ${target.label} predicts no better than the mean of all runs: it is not used for the intervals.`));
-    return same.concat(unused, all_targets.filter((target) => distances[target.index]).map((target) => element('p', {class: 'bad'},
+    const {locations, complete_locations} = campaign.surrogate || {};
+    const subset = locations < complete_locations ? [element('p', {class: 'note'}, `The surrogates are fitted to ${locations} of `
+        + `${complete_locations} locations, the best ones and others far apart; to all of them would take minutes.`)] : [];
+    return same.concat(unused, subset, all_targets.filter((target) => distances[target.index]).map((target) => element('p', {class: 'bad'},
         `No run reached the target of ${target.label}: it is ${distances[target.index] > 0 ? 'above' : 'below'} all of `
         + `them by ${number(Math.abs(distances[target.index]), 3)}.`)));
 }
@@ -166,23 +169,26 @@ function show_convergence(parent) {
         .map((row) => ({run: row.last.run + 1, wmse: row.wmse, purpose: row.last.purpose,
                         colour: purpose_colour(row.last.purpose),
                         text: `point ${row.point} (${row.last.purpose}): ${number(row.wmse)}`}));
-    const best = (campaign.history.wmse || []).map((wmse, run) => ({run: run + 1, wmse})).filter((row) => known(row.wmse));
+    // The line has steps: the runs between two of them add nothing to it.
+    const best = (campaign.history.wmse || []).map((wmse, run) => ({run: run + 1, wmse})).filter((row) => known(row.wmse))
+        .filter((row, index, rows) => index === 0 || index === rows.length - 1 || row.wmse !== rows[index - 1].wmse);
     if (points.length === 0) {
         parent.append(element('p', {class: 'note'}, 'Nothing to show yet: no wave has been analysed.'));
         return;
     }
     const all = [...points, ...best].map((row) => row.wmse).concat(campaign.stop.wmse > 0 ? [campaign.stop.wmse] : []);
-    const positive = Math.min(...all) > 0;
+    const [least, most] = range_of(all);
+    const positive = least > 0;
     const starts = campaign.waves.slice(1).filter((wave) => wave.runs.length > 0)
         .map((wave) => ({run: wave.runs[0].run + 0.5}));
     legend(parent, [...new Set(points.map((row) => row.purpose))].map((purpose) => [purpose, purpose_colour(purpose)])
         .concat([['best so far', colours.best]]));
     plot(parent, 'convergence', {
         width: 1000, height: 280,
-        data: [{name: 'points', values: points}, {name: 'best', values: best}, {name: 'waves', values: starts},
+        data: [{name: 'points', values: drawn(points)}, {name: 'best', values: best}, {name: 'waves', values: starts},
                {name: 'stop', values: campaign.stop.wmse > 0 ? [{wmse: campaign.stop.wmse}] : []}],
         scales: [linear('x', 'width', [0, all_runs.length + 1], {nice: false}),
-                 positive ? logarithmic('y', 'height', [Math.min(...all) * 0.8, Math.max(...all) * 1.25])
+                 positive ? logarithmic('y', 'height', [least * 0.8, most * 1.25])
                           : linear('y', 'height', extent(all))],
         axes: [axis('bottom', 'x', 'runs', {grid: false, tickCount: 10, tickMinStep: 1, format: 'd'}),
                axis('left', 'y', 'weighted mean square error', {format: '~g', tickCount: 6})],
@@ -200,5 +206,6 @@ function show_convergence(parent) {
         ],
     });
     parent.append(element('p', {class: 'note'}, 'Each dot is a design point at the number of its last run; dashed lines part the '
-        + 'waves. The line is the best location as known after each run: it can rise when a repetition corrects it.'));
+        + 'waves. The line is the best location as known after each run: it can rise when a repetition corrects it.'
+        + note_of_drawn(points, 'points')));
 }

@@ -45,7 +45,7 @@ const mark = (type, data, encode, more = {}) => ({type, from: data && {data}, en
 function extent(values, margin = 0.05) {
     const numbers = values.filter(known);
     if (numbers.length === 0) return [0, 1];
-    const lower = Math.min(...numbers), upper = Math.max(...numbers);
+    const [lower, upper] = range_of(numbers);
     const room = margin * (upper - lower) || Math.abs(upper) * 0.05 || 0.5;
     return [lower - room, upper + room];
 }

@@ -52,7 +52,7 @@ function show_timing(parent) {
                 text: `run ${run.run}: ${duration(run.wall_time)}, ${run.status}`});
         }
         const length = length_of(wave);
-        const groups = wave.groups || 1 + Math.max(0, ...ran.map((run) => run.group));
+        const groups = wave.groups || 1 + ran.reduce((most, run) => Math.max(most, run.group), 0);
         offset += length;
         borders.push({time: offset});
         if (wave.wall_time > 0) {
@@ -77,7 +77,7 @@ function show_timing(parent) {
         .concat(failed_runs.length > 0 ? [['failed', colours.failed]] : []));
     plot(parent, 'timing', {
         width: 1000, height: Math.max(40, Math.min(26 * groups.length, 520)),
-        data: [{name: 'bars', values: bars}, {name: 'borders', values: borders}],
+        data: [{name: 'bars', values: drawn(bars)}, {name: 'borders', values: borders}],
         scales: [linear('x', 'width', [0, offset / unit[0]], {nice: false}),
                  {name: 'y', type: 'band', range: 'height', domain: groups, padding: 0.12}],
         axes: [axis('bottom', 'x', `time in waves [${unit[1]}]`, {grid: false, tickCount: 10}),
@@ -91,5 +91,6 @@ function show_timing(parent) {
         ],
     });
     parent.append(element('p', {class: 'note'}, 'One bar a run, one row a group of ranks; dashed lines end the waves. Pauses between '
-        + 'waves and between sessions are left out.'));
+        + 'waves and between sessions are left out.'
+        + note_of_drawn(bars, 'runs')));
 }

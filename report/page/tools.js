@@ -89,7 +89,7 @@ const several_experiments = campaign.experiments.length > 1;
 
 // Wall time of a wave [s]; of one under way, up to the last run that ended.
 function length_of(wave) {
-    return wave.wall_time || Math.max(0, ...wave.runs.map((run) => run.start_time + run.wall_time).filter(known));
+    return wave.wall_time || range_of([0, ...wave.runs.map((run) => run.start_time + run.wall_time).filter(known)])[1];
 }
 
 function same_point(a, b) {
@@ -101,4 +101,28 @@ const is_best = (run) => campaign.optimum !== null && same_point(run.factors, ca
 function place_in_range(factor, value) {
     const scale = factor.log ? Math.log : (x) => x;
     return (scale(value) - scale(factor.lower)) / (scale(factor.upper) - scale(factor.lower));
+}
+
+// At most so many marks of a plot: a browser takes minutes to draw tens of thousands.
+const most_drawn = 2000;
+
+// Every n-th of a list that is longer, and those that `keep` asks for.
+function drawn(list, keep = () => false) {
+    const stride = list.length / most_drawn;
+    let next = 0;
+    return stride <= 1 ? list : list.filter((entry, index) => {
+        const due = index >= next;
+        if (due) next += stride;
+        return due || keep(entry);
+    });
+}
+
+// What to say beside a plot of a list that is thinned; empty where all of it is drawn.
+function note_of_drawn(list, what) {
+    return list.length <= most_drawn ? '' : ` ${most_drawn} of ${list.length} ${what}, evenly taken, are drawn.`;
+}
+
+// Least and greatest of numbers; Math.min(...) fails on some 100,000 of them.
+function range_of(numbers) {
+    return numbers.reduce(([least, most], value) => [Math.min(least, value), Math.max(most, value)], [Infinity, -Infinity]);
 }
