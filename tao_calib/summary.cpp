@@ -192,7 +192,8 @@ void add_findings(std::string& out, Campaign const& campaign, Wave const& wave)
                            ? "nothing meets the targets together; nearest to them, with the noise enlarged"
                            : "compatible with the targets at 95 %",
                        !parts ? "nowhere"
-                              : fmt::format("{:.2g} % of the range, {}", 100 * share->front(),
+                              : fmt::format("{:.{}g} % of the range, {}", 100 * share->front(),
+                                            share->front() < 0.995 ? 2 : 3,
                                             parts->size() == 1 ? "one region"
                                                                : fmt::format("{} regions", parts->size())));
     }

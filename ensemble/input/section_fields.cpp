@@ -107,9 +107,10 @@ std::vector<Field<StopOptions>> const& fields_of()
         field(
             &StopOptions::wall_time_s,
             {.key = "wall_time_s", .doc = "longest wall time of the campaign [s]; 0: no limit", .lower = 0}),
-        field(&StopOptions::no_improvement_waves, {.key = "no_improvement_waves",
-                                                   .doc = "stop after so many waves without a better point",
-                                                   .lower = 1}),
+        field(&StopOptions::no_improvement_waves,
+              {.key = "no_improvement_waves",
+               .doc = "stop after so many waves without a better point; 0: never",
+               .lower = 0}),
         field(&StopOptions::confirmation,
               {.key = "confirmation",
                .doc = "times the best point is repeated, with new packings, before the campaign ends",

@@ -70,7 +70,9 @@ std::vector<AnovaRow> analysis_of_variance(Regression const& regression)
     auto const& coefficients = regression.coefficients();
     double const total = regression.total_sum_of_squares(), left = regression.residual_sum_of_squares();
     bool const exact = regression.scatter() == Scatter::none;
-    auto const residual = untested("residual", exact ? 0 : left, regression.residual_degrees_of_freedom());
+    auto const residual =
+        untested("residual", exact || regression.residual_degrees_of_freedom() == 0 ? 0 : left,
+                 regression.residual_degrees_of_freedom());
 
     std::vector<AnovaRow> rows;
     rows.push_back(tested("model", total - left, static_cast<int>(coefficients.size()) - 1, residual));

@@ -123,6 +123,17 @@ TEST(SearchInput, UnderstandsOldTextsOfCampaignFiles)
     EXPECT_EQ(now.resolved_text(), read(good_campaign()).resolved_text());
 }
 
+TEST(StopInput, MayLetTheSearchGoOnWithoutImprovement)
+{
+    auto const text = "[stop]\nno_improvement_waves = 0\nruns = 200\n";
+    auto const stop = good_campaign().find("[stop]");
+    ASSERT_NE(stop, std::string::npos);
+    auto const end = good_campaign().find("\n[", stop);
+    auto campaign = good_campaign();
+    campaign.replace(stop, end == std::string::npos ? end : end - stop, text);
+    EXPECT_EQ(read(campaign).stop.no_improvement_waves, 0);
+}
+
 TEST(TransformInput, NeedsWhatItsFormulaNeeds)
 {
     auto const campaign = read(with_flow("transform = \"logit\", lower = 0, upper = 9"));

@@ -132,6 +132,8 @@ TEST(FitSaturated, LeavesOpenWhatIsNotDefined)
     for (auto const* nonsense : {" inf ", " inf\n", "-inf", " nan", "-nan"})
         EXPECT_EQ(text.find(nonsense), std::string::npos) << text;
     EXPECT_NE(text.find("the targets do not determine the factors"), std::string::npos);
+    EXPECT_NE(text.find("  residual                                 0             0"), std::string::npos)
+        << text;
 }
 
 TEST(FitSaturated, NamesTheRunThatAloneDeterminesACoefficient)
