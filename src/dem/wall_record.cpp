@@ -3,6 +3,7 @@
 #include "src/dem/wall_set.hpp"
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <type_traits>
 
@@ -23,6 +24,7 @@ struct RowWriter
 
     void operator()(double const& x) { *to++ = x; }
     void operator()(Vector3 const& v) { (*this)(v.x), (*this)(v.y), (*this)(v.z); }
+    void operator()(RoundSide const& side) { (*this)(static_cast<double>(side)); }
 };
 //! Takes them out again.
 struct RowReader
@@ -31,6 +33,14 @@ struct RowReader
 
     void operator()(double& x) { x = *from++; }
     void operator()(Vector3& v) { (*this)(v.x), (*this)(v.y), (*this)(v.z); }
+    void operator()(RoundSide& side)
+    {
+        double number = 0;
+        (*this)(number);
+        if (!(number >= 0 && number <= 3 && number == std::floor(number)))
+            throw InputError("the state record has a wall that is touched on a side that there is not");
+        side = static_cast<RoundSide>(number);
+    }
 };
 
 // The numbers of each kind of shape and motion, in the order of the row.
@@ -48,12 +58,12 @@ void visit(Disc& d, Visit&& of)
 template <class Visit>
 void visit(Cylinder& c, Visit&& of)
 {
-    of(c.centre), of(c.axis), of(c.half_length), of(c.radius);
+    of(c.centre), of(c.axis), of(c.half_length), of(c.radius), of(c.side);
 }
 template <class Visit>
 void visit(Cone& c, Visit&& of)
 {
-    of(c.centre), of(c.axis), of(c.half_length), of(c.radius_start), of(c.radius_end);
+    of(c.centre), of(c.axis), of(c.half_length), of(c.radius_start), of(c.radius_end), of(c.side);
 }
 template <class Visit>
 void visit(Mesh& m, Visit&& of)

@@ -39,6 +39,8 @@ void add(Snapshot& snapshot, dem::Rectangle const& r)
 template <dem::RoundShape Shape>
 void add(Snapshot& snapshot, Shape const& shape)
 {
+    if (dem::side_of(shape) != dem::RoundSide::near)
+        return;                                         // the same once more
     constexpr int around = 64, every_side = around / 4; // four lines along the sides
     dem::Meridian const m = meridian(shape);
     Vector3 const u = any_normal_to(shape.axis), v = cross(shape.axis, u);

@@ -126,6 +126,39 @@ TEST(JoinedWalls, ABallSeatedInAPyramidOfManyFacetsRests)
     }
 }
 
+TEST(JoinedWalls, ABallSeatedInARoundWallRestsWhereverItFalls)
+{
+    // With one nearest point the force jumped from side to side: 0.0013 m/s for ever in a cone.
+    double const radius = 3e-3, mass = 2500 * 4.0 / 3 * std::numbers::pi * radius * radius * radius;
+    contact::Material const soft{"stone", 2500, 1e7, 0.3};
+    dem::Cone const tip{{0, 0, 0.01}, {0, 0, 1}, 0.01, 0, 0.02 / std::sqrt(3.0)},
+        funnel{{0, 0, 0.01}, {0, 0, 1}, 0.01, 2e-3, 2e-3 + 0.02 / std::sqrt(3.0)};
+    dem::Cylinder const tube{{0, 0, 1e-3}, {0, 0, 1}, 1e-3, 2e-3}; // it lies on the rim
+    auto const rests = [&](auto const& shape, Vector3 const& from) {
+        contact::PairProperties pair;
+        pair.restitution = 0.5;
+        pair.static_friction = pair.kinetic_friction = 0.3;
+        dem::Simulation simulation(
+            one_material(soft, pair),
+            {.time_step = 0.2 * dem::rayleigh_time(radius, soft), .skin = 0.2 * radius});
+        for (auto const& side : dem::all_sides(shape))
+            simulation.add(dem::Wall{.shape = side});
+        simulation.add(dem::Body{from, radius, {}});
+        simulation.advance(static_cast<std::int64_t>(1.5 / simulation.options().time_step));
+        EXPECT_LT(simulation.largest_speed(), 1e-6) << from.x << ' ' << from.y;
+        auto const loads = simulation.read_wall_loads();
+        EXPECT_NEAR(loads[0].force.z + loads[1].force.z + loads[2].force.z + loads[3].force.z, -9.81 * mass,
+                    1e-5 * mass)
+            << from.x << ' ' << from.y;
+    };
+    for (Vector3 const& off :
+         {Vector3{}, Vector3{3e-4, 1.7e-4, 0}, Vector3{-1e-6, 0, 0}, Vector3{0, -1e-3, 0}}) {
+        rests(tip, off + Vector3{0, 0, 9e-3});
+        rests(funnel, off + Vector3{0, 0, 6e-3});
+        rests(tube, off + Vector3{0, 0, 5.5e-3});
+    }
+}
+
 TEST(Energy, OfAContactWithATurningMeshAsWithARectangle)
 {
     // A contact that parts is evaluated once more; a place far away would move at 1e100 times the spin.

@@ -4,6 +4,7 @@
 #include "demens/shape/triangle_mesh.hpp"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <variant>
 
@@ -27,6 +28,18 @@ struct Disc
     double radius;  //!< [m]
 };
 
+//! Where a round shape touches a sphere: at its point nearest to the centre, or at the nearest one of what is
+//! a number of quarter turns away. A sphere about as wide as the hollow that it lies in touches it all
+//! around; one wall for each side holds it between four places, and its forces do not jump where it crosses
+//! the axis.
+enum class RoundSide : std::uint8_t
+{
+    near,
+    left,
+    far,
+    right
+};
+
 //! The lateral surface of a cylinder, open at both ends.
 struct Cylinder
 {
@@ -34,6 +47,7 @@ struct Cylinder
     Vector3 axis;       //!< unit vector
     double half_length; //!< [m]
     double radius;      //!< [m]
+    RoundSide side = RoundSide::near;
 };
 
 //! The lateral surface of a cone or of a frustum of one, open at both ends.
@@ -44,6 +58,7 @@ struct Cone
     double half_length;  //!< [m]
     double radius_start; //!< at centre - half_length axis [m]
     double radius_end;   //!< at centre + half_length axis [m]
+    RoundSide side = RoundSide::near;
 };
 
 //! A surface of triangles, which several walls may share. It may touch a sphere in several places.
@@ -57,6 +72,18 @@ using WallShape = std::variant<Rectangle, Disc, Cylinder, Cone, Mesh>;
 
 //! The six sides of a box along the axes, to be touched from inside or outside.
 std::array<Rectangle, 6> box_sides(Vector3 const& lower, Vector3 const& upper);
+
+//! A cylinder or cone as the walls that hold a sphere about as wide as the hollow.
+template <class Shape>
+std::array<Shape, 4> all_sides(Shape shape)
+{
+    std::array<Shape, 4> sides;
+    for (std::uint8_t k = 0; k < 4; ++k) {
+        shape.side = RoundSide{k};
+        sides[k] = shape;
+    }
+    return sides;
+}
 
 //! A straight line that makes a round shape when it turns about the axis: height along the axis from the
 //! centre and distance from the axis, at either end [m].
@@ -84,14 +111,37 @@ concept RoundShape = requires(Shape const& shape)
     meridian(shape);
 };
 
-//! Unit vector from the axis of a round shape towards a point; on the axis, any one.
+//! Where it is touched.
+DEMENS_FUNCTION constexpr RoundSide side_of(Disc const&)
+{
+    return RoundSide::near;
+}
+template <RoundShape Shape>
+DEMENS_FUNCTION constexpr RoundSide side_of(Shape const& shape)
+{
+    return shape.side;
+}
+
+//! Unit vector from the axis of a round shape towards the side where it touches a sphere at p; on the axis,
+//! any one.
 template <RoundShape Shape>
 DEMENS_INLINE DEMENS_FUNCTION Vector3 outwards(Shape const& shape, Vector3 const& p)
 {
     Vector3 const relative = p - shape.centre;
     Vector3 const radial = relative - dot(relative, shape.axis) * shape.axis;
     double const distance = norm(radial);
-    return distance > 0 ? radial / distance : any_normal_to(shape.axis);
+    Vector3 const out = distance > 0 ? radial / distance : any_normal_to(shape.axis);
+    switch (side_of(shape)) {
+    case RoundSide::near:
+        return out;
+    case RoundSide::left:
+        return cross(shape.axis, out);
+    case RoundSide::far:
+        return -out;
+    case RoundSide::right:
+        return cross(out, shape.axis);
+    }
+    return out;
 }
 
 //! Point of the shape nearest to p [m].

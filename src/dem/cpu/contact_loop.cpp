@@ -43,6 +43,24 @@ void ContactLoop::compute(Params const& params, State& state, ContactList& list)
     }
 }
 
+namespace {
+
+//! Work in a step of walls that turn, beside that of their force and torque [J]. The surface moves as it does
+//! where it is touched, but the torque is that of forces a radius from the centre, which keeps angular
+//! momentum: an overlap further on.
+double work_beside_torque(ContactBlock const& b, ContactList const& list, std::vector<Wall> const& walls,
+                          double time_step)
+{
+    double power = 0;
+    for (int l = 0; l < b.count; ++l) {
+        Vector3 const n{b.nx[l], b.ny[l], b.nz[l]}, force{b.fx[l], b.fy[l], b.fz[l]};
+        power += (b.overlap[l] - b.gap[l]) * dot(walls[list.second[b.slot[l]]].spin, cross(n, force));
+    }
+    return power * time_step;
+}
+
+} // namespace
+
 void ContactLoop::evaluate(Params const& params, State& state, ContactList& list, std::uint32_t const* slots,
                            std::size_t count)
 {
@@ -61,8 +79,12 @@ void ContactLoop::evaluate(Params const& params, State& state, ContactList& list
             gather_pairs(block, list, state.particles, options.periodic);
         state.overlapping |= derive_geometry(block, with_wall, options.overlap_limit);
         evaluate_laws(block, laws, layout, options.time_step);
-        if (layout.ledger)
+        if (layout.ledger) {
             state.tally.losses.add(block, share_of(list));
+            if (with_wall)
+                state.tally.work_of_walls +=
+                    work_beside_torque(block, list, state.walls.all(), options.time_step);
+        }
         if (with_wall)
             scatter_wall_contacts(block, list, state.particles, state.walls.all(), state.wall_loads);
         else

@@ -32,12 +32,13 @@ void CpuEngine::set_model(contact::Model const& model)
         throw InputError("a simulation that runs may get other coefficients, but not other laws, materials "
                          "or pairs of them");
     params_ = std::move(params);
-    state_.lists.is_stale = true; // the new laws may reach further
+    note_change(); // the new laws may reach further
 }
 
 void CpuEngine::note_change()
 {
     state_.lists.is_stale = true;
+    seen_.reset();
     partition_->note_change();
 }
 
@@ -154,8 +155,40 @@ void CpuEngine::begin()
     partition_->note_change();
 }
 
+//! After a change the loads of the last step are those of bodies that may be gone, and without those that are
+//! new. They are found on a copy of the state, since histories must not go on twice, and a look changes
+//! nothing.
+CpuEngine::Seen const& CpuEngine::present()
+{
+    if (seen_)
+        return *seen_;
+    if (state_.steps_done == 0)
+        begin();
+    Seen seen;
+    auto const read = [&] {
+        return params_->options.energy_ledger ? read_ledger(*params_, state_) : EnergyLedger{};
+    };
+    if (!state_.lists.is_stale || state_.left_domain) {
+        seen = {state_.wall_loads, read()};
+    } else {
+        State kept = state_;
+        StateRecord shares;
+        partition_->save(shares);
+        rebuild_if_needed();
+        seen.ledger = read();
+        if (!state_.left_domain)
+            compute_loads();
+        seen.wall_loads = std::move(state_.wall_loads);
+        state_ = std::move(kept);
+        partition_->restore(shares, state_.particles);
+        partition_->note_change();
+    }
+    return seen_.emplace(std::move(seen));
+}
+
 void CpuEngine::step()
 {
+    seen_.reset();
     move_bodies();
     rebuild_if_needed();
     compute_loads();

@@ -6,6 +6,8 @@
 #include "src/dem/cpu/energy_accounts.hpp"
 #include "src/dem/cpu/partition.hpp"
 
+#include <optional>
+
 namespace demens::dem {
 
 //! The engine on processors: parameters, the state, and what works on it.
@@ -39,6 +41,13 @@ class CpuEngine final : public Engine
     SimulationOptions const& options() const override { return params_->options; }
 
   private:
+    //! What a reader sees between a change and the next step.
+    struct Seen
+    {
+        std::vector<WallLoad> wall_loads;
+        EnergyLedger ledger; //!< of this process
+    };
+    Seen const& present();
     double time() const { return static_cast<double>(state_.steps_done) * params_->options.time_step; }
     //! What was gathered and the neighbour lists no longer say how it is.
     void note_change();
@@ -57,6 +66,7 @@ class CpuEngine final : public Engine
     std::shared_ptr<Params const> params_;
     State state_;
     std::vector<std::uint32_t> bodies_of_; //!< how many of each material were added, up to 2
+    std::optional<Seen> seen_;             //!< none: the last step says it
     std::unique_ptr<Partition> partition_;
     std::unique_ptr<EnergyAccounts> accounts_;
     NeighbourSearch search_;

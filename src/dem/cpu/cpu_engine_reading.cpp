@@ -39,7 +39,7 @@ StateView CpuEngine::read(Fields fields)
 
 std::vector<WallLoad> CpuEngine::read_wall_loads()
 {
-    return partition_->sum(state_.wall_loads);
+    return partition_->sum(present().wall_loads);
 }
 
 double CpuEngine::largest_speed()
@@ -60,7 +60,7 @@ double CpuEngine::kinetic_energy()
 EnergyLedger CpuEngine::energy()
 {
     DEMENS_EXPECT(params_->options.energy_ledger, "the simulation was made with the ledger");
-    EnergyLedger ledger = partition_->sum(read_ledger(*params_, state_));
+    EnergyLedger ledger = partition_->sum(present().ledger);
     note_turn_over(state_.tally, ledger);
     return ledger;
 }

@@ -1,5 +1,6 @@
 #include "src/rig/custom/entry.hpp"
 #include "src/rig/custom/wall_driver.hpp"
+#include "src/rig/custom/wall_seams.hpp"
 #include "src/rig/rigs.hpp"
 
 #include <cmath>
@@ -31,6 +32,8 @@ Programme describe(RunInput const& input)
     programme.check = [setup] {
         check_places(*setup);
         auto all = warnings(setup->walls);
+        for (auto& warning : seam_warnings(setup->walls))
+            all.push_back(std::move(warning));
         for (auto const& group : setup->groups)
             for (auto& warning : particle_warnings(group, setup->density(group)))
                 all.push_back(std::move(warning));

@@ -119,19 +119,26 @@ std::vector<dem::WallShape> box(OptionValues const& o)
     return shapes;
 }
 
-dem::WallShape cylinder(OptionValues const& o)
+template <class Shape>
+std::vector<dem::WallShape> as_walls(Shape const& shape)
 {
-    auto const [centre, axis, half_length] = spindle(o);
-    return dem::Cylinder{centre, axis, half_length, 1e-3 * o.number("radius_mm")};
+    auto const sides = dem::all_sides(shape);
+    return {sides.begin(), sides.end()};
 }
 
-dem::WallShape cone(OptionValues const& o)
+std::vector<dem::WallShape> cylinder(OptionValues const& o)
+{
+    auto const [centre, axis, half_length] = spindle(o);
+    return as_walls(dem::Cylinder{centre, axis, half_length, 1e-3 * o.number("radius_mm")});
+}
+
+std::vector<dem::WallShape> cone(OptionValues const& o)
 {
     auto const [centre, axis, half_length] = spindle(o);
     double const start = 1e-3 * o.number("radius_from_mm"), end = 1e-3 * o.number("radius_to_mm");
     if (!(start > 0 || end > 0))
         throw InputError("one of radius_from_mm and radius_to_mm must be greater than 0");
-    return dem::Cone{centre, axis, half_length, start, end};
+    return as_walls(dem::Cone{centre, axis, half_length, start, end});
 }
 
 dem::WallShape mesh(OptionValues const& o, Files const& files)
@@ -152,9 +159,9 @@ std::vector<dem::WallShape> read_shapes(OptionValues const& o, RunInput const& i
     case WallKind::disc:
         return {dem::Disc{millimetres(o, "centre_mm"), direction(o, "normal"), 1e-3 * o.number("radius_mm")}};
     case WallKind::cylinder:
-        return {cylinder(o)};
+        return cylinder(o);
     case WallKind::cone:
-        return {cone(o)};
+        return cone(o);
     case WallKind::box:
         return box(o);
     case WallKind::mesh:

@@ -107,16 +107,11 @@ void drop_batch(Bench& bench, Setup const& setup)
         throw RunFailure(RunStatus::error,
                          fmt::format("{} of the spheres found no room above the bed", diameters.size()));
     auto const places = shape::fill_region(batch, inside, {}, above, bench.progress.random);
-    // The velocity is that half a step ago, as if they fell from where they are.
-    Vector3 const velocity = bench.simulation.steps_done() > 0
-                                 ? 0.5 * setup.time_step * bench.simulation.options().gravity
-                                 : Vector3{};
     dem::BodyBatch bodies;
     for (std::size_t k = 0; k < places.size(); ++k)
         bodies.push_back({.position = places[k],
                           .radius = 0.5 * batch[k],
-                          .material = material_id(setup.model, setup.material),
-                          .velocity = velocity});
+                          .material = material_id(setup.model, setup.material)});
     bench.simulation.add(bodies);
 }
 

@@ -1,5 +1,7 @@
 #include "demens/rig/programme/programme_run.hpp"
 
+#include "src/rig/programme/memory.hpp"
+
 #include <algorithm>
 #include <cassert>
 
@@ -48,6 +50,7 @@ RigInfo described(RigInfo rig)
     auto const describe = rig.describe;
     rig.warnings = [describe](RunInput const& input) {
         auto const programme = describe(input);
+        check_memory(programme.expected_particles, 1, memory_limit());
         return programme.check ? programme.check() : std::vector<std::string>{};
     };
     rig.check = [warnings = rig.warnings](RunInput const& input) { warnings(input); };
@@ -59,6 +62,7 @@ RigInfo described(RigInfo rig)
         std::optional<Programme> programme;
         try {
             programme = rig.describe(input);
+            check_memory(programme->expected_particles, hooks.team ? hooks.team->size() : 1, memory_limit());
         } catch (std::exception const& error) {
             auto const count = responses_of(rig, input.experiment).size();
             return RunResult{.status = RunStatus::error,

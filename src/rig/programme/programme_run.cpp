@@ -265,10 +265,14 @@ void ProgrammeRun::check_health()
     case dem::Health::unbalanced:
         throw RunFailure(RunStatus::unbalanced,
                          fmt::format("the energy ledger misses {:.2g} % of the energy turned over, more than "
-                                     "energy_closure_limit, {:.2g} %, {}; a smaller time step resolves the "
-                                     "contacts better",
-                                     100 * simulation.energy().closure_error(),
-                                     100 * simulation.options().closure_limit, moment()));
+                                     "energy_closure_limit, {:.2g} %, {}: {}. Run it with half the "
+                                     "rayleigh_fraction: what becomes less is the error of the time step, "
+                                     "in contacts that are too short for it; what stays is not, e.g. bodies "
+                                     "that were put into each other, or a fault of the program",
+                                     100 * std::abs(simulation.energy().closure_error()),
+                                     100 * simulation.options().closure_limit, moment(),
+                                     simulation.energy().gap() > 0 ? "there is more than came in"
+                                                                   : "there is less than came in"));
     }
 }
 

@@ -1,5 +1,6 @@
 // How space is cut among ranks, and that ghosts and migrating particles arrive; with threads as ranks.
 #include "demens/base/random.hpp"
+#include "demens/dem/simulation.hpp"
 #include "src/dem/cpu/decomposition/ghost_exchange.hpp"
 #include "src/dem/cpu/decomposition/migration.hpp"
 #include "tests/support/thread_team.hpp"
@@ -237,6 +238,47 @@ TEST(Migration, HistoriesArriveOnceWhereTheirParticlesAre)
                         EXPECT_EQ(pairs, now > 0 ? 1 : 0) << from_0 << from_1 << to_0 << to_1;
                         EXPECT_EQ(walls, to_0 == team.rank() ? 1 : 0);
                     });
+}
+
+//! Spheres that bounce on a floor, of which more enter and walls come and go; reads the loads of walls or
+//! not.
+std::vector<Vector3> bounced(dem::Team& team, bool reads)
+{
+    contact::Model const model{.materials = {{.name = "glass"}},
+                               .pairs = {{.first = "glass", .second = "glass"}}};
+    double const r = 1e-3;
+    dem::Simulation s(model, {.time_step = 1e-5, .skin = 0.1 * r, .energy_ledger = true, .team = &team});
+    dem::Rectangle const plane{{}, {1, 0, 0}, {0, 1, 0}, 1, 1};
+    auto const floor = s.add(dem::Wall{.shape = plane}), lid = s.add(dem::Wall{.shape = plane});
+    s.activate(lid, false);
+    for (int k = 0; k < 40; ++k) {
+        for (int j = 0; j < 3; ++j)
+            s.add(dem::Body{{1.99 * j * r, 2.01 * k * r, r}, r, {}, {0.05 * (k % 3), 0.02 * j, -0.1}});
+        s.advance(11);
+        auto plate = plane;
+        plate.centre.z = k % 2 ? 1.99 * r : 3 * r;
+        s.place(lid, plate);
+        s.activate(lid, k % 4 < 2);
+        s.activate(floor, k % 5 < 4);
+        if (!reads)
+            continue;
+        auto const loads = s.read_wall_loads();
+        EXPECT_EQ(norm(loads[floor.value].force) > 0, k % 5 < 4) << k;
+        EXPECT_EQ(norm(loads[lid.value].force) > 0, k % 4 == 1) << k;
+        s.energy();
+    }
+    s.advance(10);
+    auto const view = s.read(dem::Fields::places);
+    std::vector<Vector3> places(view.size());
+    for (std::size_t k = 0; k < view.size(); ++k)
+        places[view.id(k).value] = view.position(k);
+    return places;
+}
+
+TEST(Team, LoadsAfterAChangeAreOfThePresentAndALookChangesNothing)
+{
+    for (int const ranks : {1, 2, 3})
+        with_team(ranks, [&](dem::Team& team) { EXPECT_EQ(bounced(team, true), bounced(team, false)); });
 }
 
 } // namespace

@@ -135,12 +135,64 @@ TEST(Simulation, AnInactiveWallTouchesNothing)
     EXPECT_EQ(s.counts().particles, 1u);
     EXPECT_EQ(s.health(), dem::Health::good);
     s.activate(wall, false);
+    EXPECT_EQ(s.read_wall_loads()[wall.value].force, Vector3{}); // at once
     s.advance(1);
     EXPECT_EQ(s.counts().wall_contacts, 0u);
     EXPECT_EQ(s.read_wall_loads()[wall.value].force, Vector3{});
     s.activate(wall, true);
     s.advance(1);
     EXPECT_EQ(s.counts().wall_contacts, 1u);
+}
+
+TEST(Simulation, WallLoadsAreThoseOfThePresentAfterEveryChange)
+{
+    auto s = simulation();
+    auto const wall = s.add(dem::Wall{.shape = floor_at(0)});
+    s.add(dem::Body{.position = {0, 0, r}, .radius = r});
+    s.advance(20000); // settles
+    double const weight = s.read(dem::Fields::places).mass(0) * g;
+    auto const load = [&](dem::WallId id) { return s.read_wall_loads()[id.value].force.z; };
+    EXPECT_NEAR(load(wall), -weight, 1e-6 * weight);
+    s.place(wall, floor_at(-r)); // gone
+    EXPECT_EQ(load(wall), 0);
+    s.place(wall, floor_at(0)); // back again, as if it had been there
+    EXPECT_NEAR(load(wall), -weight, 1e-6 * weight);
+    auto const other = s.add(dem::Wall{.shape = floor_at(0.5 * r)});
+    EXPECT_LT(load(other), -weight);
+    s.activate(other, false);
+    EXPECT_EQ(load(other), 0);
+    s.add(dem::Body{.position = {10 * r, 0, r}, .radius = r});
+    EXPECT_NEAR(load(wall), -weight, 1e-6 * weight); // it touches without overlap
+    s.add(dem::Body{.position = {20 * r, 0, 0.99 * r}, .radius = r});
+    EXPECT_LT(load(wall), -2 * weight);
+}
+
+TEST(Simulation, ALookAfterAChangeChangesNothing)
+{
+    auto const place_after = [](bool looks) {
+        auto s = simulation();
+        s.add(dem::Wall{.shape = floor_at(0)});
+        s.add(dem::Body{.position = {0, 0, r}, .radius = r, .velocity = {0.1, 0, -0.1}});
+        for (int k = 0; k < 20; ++k) {
+            s.advance(7);
+            s.add(dem::Body{.position = {4.0 * (k + 1) * r, 0, r}, .radius = r, .velocity = {0.1, 0, -0.1}});
+            if (looks)
+                s.read_wall_loads();
+        }
+        return s.read(dem::Fields::places).position(0);
+    };
+    EXPECT_EQ(place_after(true), place_after(false));
+}
+
+TEST(Simulation, ABodyThatEntersBringsWhatTheLedgerSees)
+{
+    dem::Simulation s(model(), {.time_step = dt, .skin = 0.2 * r, .energy_ledger = true});
+    for (int k = 0; k < 10; ++k) {
+        s.add(dem::Body{
+            .position = {4.0 * k * r, 0, 1}, .radius = r, .velocity = {0.2, 0, -0.1}, .spin = {1, 2, 3}});
+        s.advance(50);
+        EXPECT_LT(std::abs(s.energy().gap()), 1e-13 * s.energy().turned_over);
+    }
 }
 
 } // namespace

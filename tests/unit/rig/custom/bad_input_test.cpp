@@ -200,6 +200,36 @@ TEST(CustomBadInput, StagesThatMeanNothing)
                 HasSubstr("stage.only has the wall floor both in walls_on and in walls_off"));
 }
 
+TEST(CustomBadInput, MoreParticlesThanThereIsMemoryFor)
+{
+    // 1 kg of 3 mm, but written in m: spheres of 3 um. It was std::bad_alloc.
+    EXPECT_THAT(about(region + packing + "mass_kg = 1\ndiameter_mm = 0.003\n" + one_stage + one_response),
+                AllOf(StartsWith(refused), HasSubstr("a run has about 2.83e+13 particles"),
+                      HasSubstr("are the diameters in mm and the mass in kg?")));
+}
+
+TEST(CustomBadInput, WallsThatGoOnIntoEachOtherAndAreNotJoined)
+{
+    auto const half = [](std::string const& name, std::string const& corner, std::string const& material) {
+        auto text = wall(name, "shape = \"rectangle\"\ncorner_mm = " + corner +
+                                   "\nside_u_mm = [20, 0, 0]\nside_v_mm = [0, 40, 0]");
+        text.replace(text.find("steel"), 5, material);
+        return text;
+    };
+    auto const warnings = [&](std::string const& walls) {
+        auto const input =
+            read_custom(custom_campaign(region + first_ball + walls + one_stage + one_response));
+        return input.experiments[0].rig->warnings(input.run_input({0.25}, 0, 0, 0));
+    };
+    auto const left = half("left", "[-20, -20, 0]", "glass");
+    EXPECT_THAT(warnings(left + half("right", "[0, -20, 0]", "glass")), ::testing::IsEmpty());
+    EXPECT_THAT(warnings(left + half("right", "[0, -20, 0]", "steel")),
+                ::testing::ElementsAre(AllOf(HasSubstr("wall.left and wall.right go on into each other"),
+                                             HasSubstr("(0, -20, 0) mm"), HasSubstr("different materials"))));
+    EXPECT_THAT(warnings(left + half("right", "[1, -20, 0]", "steel")), ::testing::IsEmpty());
+    EXPECT_THAT(warnings(left + half("lower", "[0, -20, -1]", "steel")), ::testing::IsEmpty());
+}
+
 TEST(CustomBadInput, PairsWithoutCoefficients)
 {
     auto tables = ball("place_mm = [25, 25, 50]");
