@@ -1,14 +1,34 @@
 // The one place that knows which engines there are.
+#include "demens/base/error.hpp"
 #include "demens/dem/engine.hpp"
 #include "src/dem/cpu/cpu_engine.hpp"
+#include "src/dem/cuda/batch_engine.hpp"
 
 namespace demens::dem {
+namespace {
+
+//! A batch of one.
+std::unique_ptr<Engine> make_batch_engine(contact::Model const& model, SimulationOptions const& options)
+{
+    if (options.engine == EngineKind::cuda && !cuda::has_cuda_device())
+        throw InputError(
+            "the engine \"cuda\" needs a CUDA device, and there is none that this process can use; "
+            "use the engine \"cpu\", or \"auto\", which takes a device where there is one");
+    auto device = options.engine == EngineKind::cuda ? cuda::make_cuda_device() : cuda::make_host_device();
+    auto batch = std::make_shared<cuda::Batch>(std::move(device), 1);
+    return std::make_unique<cuda::BatchEngine>(std::move(batch), 0, model, options);
+}
+
+} // namespace
 
 std::unique_ptr<Engine> make_engine(contact::Model const& model, SimulationOptions const& options)
 {
     switch (options.engine) {
     case EngineKind::cpu:
         return std::make_unique<CpuEngine>(model, options);
+    case EngineKind::cuda:
+    case EngineKind::cuda_on_host:
+        return make_batch_engine(model, options);
     }
     throw InputError("no engine of this kind in this build");
 }
@@ -16,11 +36,9 @@ std::unique_ptr<Engine> make_engine(contact::Model const& model, SimulationOptio
 std::unique_ptr<Engine> make_engine(contact::Model const& model, SimulationOptions const& options,
                                     StateRecord const& record)
 {
-    switch (options.engine) {
-    case EngineKind::cpu:
-        return std::make_unique<CpuEngine>(model, options, record);
-    }
-    throw InputError("no engine of this kind in this build");
+    if (options.engine != EngineKind::cpu)
+        throw InputError("a simulation goes on from its record on the engine \"cpu\" only");
+    return std::make_unique<CpuEngine>(model, options, record);
 }
 
 } // namespace demens::dem

@@ -24,6 +24,7 @@ class WallSet
     //! earlier, like those of the particles. Returns the speed of the fastest [m/s].
     double advance(double time, double time_step);
 
+    bool have_motions() const { return !motions_.empty(); } //!< prescribed ones
     std::vector<Wall> const& all() const { return walls_; }
     std::size_t size() const { return walls_.size(); }
 

@@ -44,6 +44,14 @@ class OneOf
         return visitor(*std::launder(reinterpret_cast<Law<k> const*>(bytes_)));
     }
 
+    //! The law number k, which it must be.
+    template <std::size_t k>
+    DEMENS_FUNCTION Law<k> const& get() const
+    {
+        DEMENS_EXPECT(index_ == k, "the law that is there");
+        return *std::launder(reinterpret_cast<Law<k> const*>(bytes_));
+    }
+
   private:
     template <std::size_t k, class... Arguments>
     void make(Arguments const&... arguments)

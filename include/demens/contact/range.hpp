@@ -1,5 +1,7 @@
 #pragma once
 
+#include "demens/base/macros.hpp"
+
 namespace demens::contact {
 
 //! How far beyond contact laws act.
@@ -9,7 +11,7 @@ struct Range
     bool needs_contact = true; //!< only bodies that have touched
 
     //! For bodies that touched, or were within range, in the step before [m].
-    double reach(bool touched) const { return touched || !needs_contact ? gap : 0.0; }
+    DEMENS_FUNCTION double reach(bool touched) const { return touched || !needs_contact ? gap : 0.0; }
 
     friend bool operator==(Range const&, Range const&) = default;
 };

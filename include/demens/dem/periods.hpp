@@ -12,13 +12,16 @@ struct Period
 {
     double lower = 0, upper = 0; //!< [m]
 
-    bool on() const { return upper > lower; }
+    DEMENS_FUNCTION bool on() const { return upper > lower; }
     //! [m]; 0 where off.
-    double length() const { return on() ? upper - lower : 0; }
+    DEMENS_FUNCTION double length() const { return on() ? upper - lower : 0; }
     //! Half the length [m]; infinite where off.
-    double half() const { return on() ? 0.5 * (upper - lower) : std::numeric_limits<double>::infinity(); }
+    DEMENS_FUNCTION double half() const
+    {
+        return on() ? 0.5 * (upper - lower) : std::numeric_limits<double>::infinity();
+    }
     //! The place within the period that is equal to a coordinate [m].
-    double wrapped(double at) const
+    DEMENS_FUNCTION double wrapped(double at) const
     {
         return on() && !(at >= lower && at < upper) ? at - length() * std::floor((at - lower) / length())
                                                     : at;
@@ -31,18 +34,18 @@ struct Periods
 {
     Period x = {}, y = {};
 
-    bool any() const { return x.on() || y.on(); }
+    DEMENS_FUNCTION bool any() const { return x.on() || y.on(); }
 };
 
 //! Difference of two places to the nearest image, in one direction.
-DEMENS_INLINE double nearest_image(double difference, double length, double half)
+DEMENS_INLINE DEMENS_FUNCTION double nearest_image(double difference, double length, double half)
 {
     return difference - (difference > half ? length : 0.0) + (difference < -half ? length : 0.0);
 }
 
 //! Square of the distance of two particles, across the periods if there are any [m^2].
 template <bool periodic>
-DEMENS_INLINE double distance_squared(Place const& a, Place const& b, Periods const& periods)
+DEMENS_INLINE DEMENS_FUNCTION double distance_squared(Place const& a, Place const& b, Periods const& periods)
 {
     double dx = a.x - b.x, dy = a.y - b.y;
     double const dz = a.z - b.z;

@@ -10,7 +10,9 @@ class Team;
 //! Where a simulation is computed.
 enum class EngineKind
 {
-    cpu //!< this process, or with a team several
+    cpu,         //!< this process, or with a team several
+    cuda,        //!< a CUDA device
+    cuda_on_host //!< what runs on such a device, as loops of this process: for tests
 };
 
 struct SimulationOptions

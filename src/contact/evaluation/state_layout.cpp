@@ -13,25 +13,10 @@ StateSize size_of(OneOf<Laws...> const& law, bool ledger)
 
 StateLayout state_layout(LawSet const& laws, bool ledger)
 {
-    StateSize const normal = size_of<NormalStage>(laws.normal, ledger);
-    StateSize const cohesion = size_of<CohesionStage>(laws.cohesion, ledger);
-    StateSize const tangential = size_of<TangentialStage>(laws.tangential, ledger);
-    StateSize const rolling = size_of<RollingStage>(laws.rolling, ledger);
-    StateLayout layout{.ledger = ledger};
-    int next = 0;
-    auto const place = [&](int& at, int size) {
-        at = next;
-        next += size;
-    };
-    place(layout.normal, normal.scalars);
-    place(layout.cohesion, cohesion.scalars);
-    place(layout.tangential, tangential.scalars);
-    place(layout.rolling, rolling.scalars);
-    layout.scalars = next;
-    place(layout.tangential_vector, 3 * tangential.vectors);
-    place(layout.rolling_vector, 3 * rolling.vectors);
-    layout.size = whole_fours(next);
-    return layout;
+    return state_layout(size_of<NormalStage>(laws.normal, ledger),
+                        size_of<CohesionStage>(laws.cohesion, ledger),
+                        size_of<TangentialStage>(laws.tangential, ledger),
+                        size_of<RollingStage>(laws.rolling, ledger), ledger);
 }
 
 StoredEnergy stored_energy(LawSet const& laws, StateLayout const& layout, double const* state)

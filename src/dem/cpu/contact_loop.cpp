@@ -2,6 +2,7 @@
 
 #include "demens/base/contract.hpp"
 #include "src/dem/cpu/block_transfer.hpp"
+#include "src/dem/cpu/law_stages.hpp"
 #include "src/dem/cpu/pair_test.hpp"
 #include "src/dem/cpu/wall_contacts.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/dem/cpu/params.hpp"
+#include "src/dem/params.hpp"
 #include "src/dem/cpu/state.hpp"
 
 #include <memory>

@@ -15,7 +15,7 @@ constexpr double near_share = 0.25; // how far contacts reach beyond touch, over
 }
 
 CpuEngine::CpuEngine(contact::Model const& model, SimulationOptions const& options)
-    : params_(make_params(model, options)), bodies_of_(model.materials.size()),
+    : params_(make_params(model, options)), materials_(model.materials.size()),
       partition_(make_partition(options)), accounts_(make_accounts(options.energy_ledger)),
       search_(params_->materials.size(), params_->interaction, options.periodic)
 {
@@ -63,7 +63,7 @@ void CpuEngine::add(Body const& body, Vector3 const& v)
     double const mass =
         params_->materials[body.material.value].density * 4.0 / 3.0 * std::numbers::pi * r * r * r;
     DEMENS_EXPECT(mass > 0, "a body has a mass");
-    bodies_enter(body.material, 1);
+    materials_.bodies_enter(*params_, body.material, 1, state_.walls.all());
     note_change();
     auto const id = state_.particles_added++;
     Particles& particles = state_.particles;
@@ -78,30 +78,10 @@ void CpuEngine::add(Body const& body, Vector3 const& v)
     accounts_->particle_added(*params_, state_);
 }
 
-void CpuEngine::bodies_enter(MaterialId material, std::uint32_t count)
-{
-    auto& bodies = bodies_of_[material.value];
-    bool const is_new = bodies == 0;
-    if (bodies > 1 || count == 0)
-        return;
-    bodies = std::min(bodies + count, 2u);
-    if (bodies > 1)
-        require_laws(*params_, material, material);
-    if (!is_new)
-        return;
-    for (std::uint32_t other = 0; other < bodies_of_.size(); ++other)
-        if (bodies_of_[other] > 0 && other != material.value)
-            require_laws(*params_, material, MaterialId{other});
-    for (Wall const& wall : state_.walls.all())
-        require_laws(*params_, material, wall.material);
-}
-
 WallId CpuEngine::add(Wall const& wall)
 {
     DEMENS_EXPECT(wall.material.value < params_->materials.size(), "a material of the model");
-    for (std::uint32_t material = 0; material < bodies_of_.size(); ++material)
-        if (bodies_of_[material] > 0)
-            require_laws(*params_, MaterialId{material}, wall.material);
+    materials_.wall_enters(*params_, wall.material);
     note_change();
     state_.wall_loads.push_back({});
     return state_.walls.add(wall);

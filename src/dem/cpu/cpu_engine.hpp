@@ -5,6 +5,7 @@
 #include "src/dem/cpu/contact_renewal.hpp"
 #include "src/dem/cpu/energy_accounts.hpp"
 #include "src/dem/cpu/partition.hpp"
+#include "src/dem/materials_present.hpp"
 
 #include <optional>
 
@@ -53,7 +54,6 @@ class CpuEngine final : public Engine
     void note_change();
     void add(Body const& body, Vector3 const& velocity_behind);
     //! \throws InputError where bodies of a material meet others, or walls, without laws for it.
-    void bodies_enter(MaterialId material, std::uint32_t count);
     void begin();
     void step();
     void move_bodies();
@@ -65,7 +65,7 @@ class CpuEngine final : public Engine
 
     std::shared_ptr<Params const> params_;
     State state_;
-    std::vector<std::uint32_t> bodies_of_; //!< how many of each material were added, up to 2
+    MaterialsPresent materials_;
     std::optional<Seen> seen_;             //!< none: the last step says it
     std::unique_ptr<Partition> partition_;
     std::unique_ptr<EnergyAccounts> accounts_;

@@ -29,11 +29,12 @@ CpuEngine::CpuEngine(contact::Model const& model, SimulationOptions const& optio
     });
     expect_fit(partition_->sum(static_cast<double>(state_.particles.owned())) == state_.particles_added,
                "there are fewer or more particles than were added"); // the same answer on all processes
-    std::vector<double> count(bodies_of_.size());
+    std::vector<double> count(materials_.size());
     for (std::size_t k = 0; k < state_.particles.owned(); ++k)
         ++count[state_.particles.material[k]];
     for (std::uint32_t k = 0; k < count.size(); ++k)
-        bodies_enter(MaterialId{k}, static_cast<std::uint32_t>(partition_->sum(count[k])));
+        materials_.bodies_enter(*params_, MaterialId{k},
+                                static_cast<std::uint32_t>(partition_->sum(count[k])), state_.walls.all());
     // Other coefficients may reach further.
     radius = partition_->largest(radius);
     for (std::size_t k = 0; k < state_.lists.ranges.size(); ++k)

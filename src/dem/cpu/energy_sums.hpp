@@ -2,7 +2,7 @@
 
 #include "demens/dem/energy.hpp"
 #include "demens/dem/state_view.hpp"
-#include "src/dem/cpu/params.hpp"
+#include "src/dem/params.hpp"
 #include "src/dem/cpu/state.hpp"
 
 namespace demens::dem {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "demens/dem/state_record.hpp"
-#include "src/dem/cpu/params.hpp"
+#include "src/dem/params.hpp"
 #include "src/dem/cpu/state.hpp"
 
 namespace demens::dem {

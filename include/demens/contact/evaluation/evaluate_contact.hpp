@@ -31,10 +31,10 @@ struct ContactOutcome
 //! A contact whose laws are being evaluated, one kind after another: each visitor adds what its kind gives.
 //! They have names, since lambdas of one header need not have the same names for two compilers whose objects
 //! are linked together.
-template <bool ledger, class State>
+template <bool ledger, class Laws, class State>
 struct ContactProgress
 {
-    LawSet const& laws;
+    Laws const& laws;
     StateLayout const& at;
     ContactKinematics const& contact;
     State const& state;
@@ -105,12 +105,13 @@ struct ContactProgress
     };
 };
 
-//! Normal force, cohesion, friction and rolling resistance one after another, with the new history.
-template <bool ledger, class State>
-DEMENS_FUNCTION ContactAction act(LawSet const& laws, StateLayout const& at, ContactKinematics const& contact,
+//! Normal force, cohesion, friction and rolling resistance one after another, with the new history. `Laws` is
+//! a LawSet or what reads like one.
+template <bool ledger, class Laws, class State>
+DEMENS_FUNCTION ContactAction act(Laws const& laws, StateLayout const& at, ContactKinematics const& contact,
                                   State const& state)
 {
-    using Progress = ContactProgress<ledger, State>;
+    using Progress = ContactProgress<ledger, Laws, State>;
     Progress progress{laws, at, contact, state};
     laws.normal.visit(typename Progress::Normal{progress});
     laws.cohesion.visit(typename Progress::Cohesion{progress});
@@ -126,8 +127,8 @@ DEMENS_INLINE DEMENS_FUNCTION Components<double> components_of(Vector3 const& v)
 }
 
 //! One contact from the records of its bodies to what acts on them: geometry, laws, loads, new history.
-template <Partner partner, class State>
-DEMENS_FUNCTION ContactOutcome evaluate_contact(Meeting const& meeting, LawSet const& laws,
+template <Partner partner, class Laws, class State>
+DEMENS_FUNCTION ContactOutcome evaluate_contact(Meeting const& meeting, Laws const& laws,
                                                 StateLayout const& layout, double time_step,
                                                 State const& state)
 {

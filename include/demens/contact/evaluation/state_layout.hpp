@@ -46,6 +46,27 @@ constexpr int whole_fours(int doubles)
     return (doubles + 3) / 4 * 4;
 }
 
+//! The layout of stages that keep so much.
+constexpr StateLayout state_layout(StateSize normal, StateSize cohesion, StateSize tangential,
+                                   StateSize rolling, bool ledger)
+{
+    StateLayout layout{.ledger = ledger};
+    int next = 0;
+    auto const place = [&](int& at, int size) {
+        at = next;
+        next += size;
+    };
+    place(layout.normal, normal.scalars);
+    place(layout.cohesion, cohesion.scalars);
+    place(layout.tangential, tangential.scalars);
+    place(layout.rolling, rolling.scalars);
+    layout.scalars = next;
+    place(layout.tangential_vector, 3 * tangential.vectors);
+    place(layout.rolling_vector, 3 * rolling.vectors);
+    layout.size = whole_fours(next);
+    return layout;
+}
+
 //! Most numbers of history of any law of a kind.
 template <template <class, bool> class Stage, class Any>
 struct MostState;

@@ -1,4 +1,4 @@
-#include "src/dem/cpu/params.hpp"
+#include "src/dem/params.hpp"
 
 #include "demens/base/error.hpp"
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "demens/contact/evaluation/state_layout.hpp"
 #include "demens/contact/laws.hpp"
 #include "demens/dem/ids.hpp"
 #include "demens/dem/simulation_options.hpp"
-#include "src/dem/cpu/law_stages.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -1,0 +1,542 @@
+#include "src/dem/cuda/batch.hpp"
+
+#include "demens/base/contract.hpp"
+#include "demens/base/error.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace demens::dem::cuda {
+
+namespace {
+
+constexpr std::uint32_t longest_block = 1024; //!< steps between two looks at the replicas
+
+std::uint32_t whole_blocks(std::uint32_t count)
+{
+    return (count + block_size - 1) / block_size * block_size;
+}
+
+bool can_move(Wall const& wall)
+{
+    return displacement_speed(wall) > 0 || norm_squared(wall.velocity) > 0;
+}
+
+} // namespace
+
+FlatWall flattened(Wall const& wall)
+{
+    FlatWall flat{};
+    flat.kind = !wall.active                                    ? FlatWall::Kind::absent
+                : std::holds_alternative<Rectangle>(wall.shape) ? FlatWall::Kind::rectangle
+                                                                : FlatWall::Kind::round;
+    flat.material = wall.material.value;
+    flat.surface = wall.surface();
+    std::visit(
+        [&]<class Shape>(Shape const& shape) {
+            if constexpr (std::is_same_v<Shape, Rectangle>)
+                flat.rectangle = shape;
+            else if constexpr (RoundShape<Shape>)
+                flat.round = {shape.centre, shape.axis, meridian(shape), side_of(shape)};
+            else if (wall.active)
+                throw InputError("the engine \"cuda\" has no walls that are meshes; use the engine \"cpu\"");
+        },
+        wall.shape);
+    return flat;
+}
+
+//! All arrays of a view.
+struct Batch::Arrays
+{
+    DeviceArray<Replica> replica;
+    DeviceArray<Place> place, seen;
+    DeviceArray<Motion> motion;
+    DeviceArray<Load> load;
+    DeviceArray<std::uint32_t> material, id, neighbours, neighbour, touching, near_walls, near_wall,
+        touching_walls, cell_of, place_in_cell, bucket, new_index, old_index, cell_start, sums, sums_of_sums,
+        interaction;
+    DeviceArray<double> history, wall_history, wall_paths;
+    DeviceArray<std::byte> laws, layouts, ranges, walls;
+
+    Arrays(Device& device, Room const& room, View& view)
+    {
+        std::size_t const slots = room.slots, all = std::size_t{slots} * room.particles, cells = room.cells;
+        view.room = room;
+        view.all = all;
+        auto const make = [&]<class Number>(DeviceArray<Number>& array, std::size_t count) {
+            array = DeviceArray<Number>(device, count);
+            return array.data();
+        };
+        auto const make_table = [&]<class Number>(DeviceArray<std::byte>& array, Number const*& in_view,
+                                                  std::size_t count) {
+            in_view = reinterpret_cast<Number const*>(make(array, count * sizeof(Number)));
+        };
+        view.replica = make(replica, slots);
+        view.place = make(place, 2 * all);
+        view.motion = make(motion, 2 * all);
+        view.load = make(load, all);
+        view.seen = make(seen, 2 * all);
+        view.material = make(material, 2 * all);
+        view.id = make(id, 2 * all);
+        view.neighbours = make(neighbours, 2 * all);
+        view.neighbour = make(neighbour, 2 * all * room.neighbours);
+        view.touching = make(touching, 2 * all * (room.neighbours / bits_of_word));
+        view.history = make(history, 2 * all * room.neighbours * room.history);
+        view.near_walls = make(near_walls, 2 * all);
+        view.near_wall = make(near_wall, 2 * all * room.walls);
+        view.touching_walls = make(touching_walls, 2 * all);
+        view.wall_history = make(wall_history, 2 * all * room.walls * (room.history + wall_numbers));
+        view.cell_of = make(cell_of, all);
+        view.place_in_cell = make(place_in_cell, all);
+        view.bucket = make(bucket, all);
+        view.new_index = make(new_index, all);
+        view.old_index = make(old_index, all);
+        view.cell_start = make(cell_start, slots * (cells + 1));
+        view.sums = make(sums, slots * (cells / 32 + 1));
+        view.sums_of_sums = make(sums_of_sums, slots * (cells / 1024 + 1));
+        view.interaction = make(interaction, slots * room.materials * room.materials);
+        view.wall_paths = make(wall_paths, slots * (rows_of_block + 1));
+        make_table(laws, view.laws, slots * room.laws);
+        make_table(layouts, view.layouts, slots * room.laws);
+        make_table(ranges, view.ranges, slots * room.laws);
+        make_table(walls, view.walls, slots * room.wall_table);
+    }
+};
+
+Batch::Batch(std::unique_ptr<Device> device, std::uint32_t slots)
+    : device_(std::move(device)), replicas_(slots)
+{
+    DEMENS_EXPECT(slots > 0, "a batch has room for somebody");
+}
+
+Batch::~Batch() = default;
+
+double Batch::memory_of(std::uint32_t slots, std::uint32_t particles, int history)
+{
+    double const lists = 2 * 32 * (4.0 + 8.0 * history) + 2 * 4 * (4 + 8.0 * (history + wall_numbers));
+    return static_cast<double>(slots) * particles * (lists + 480);
+}
+
+void Batch::begin(std::uint32_t slot, std::shared_ptr<Params const> params)
+{
+    HostReplica& replica = replicas_[slot];
+    DEMENS_EXPECT(replica.device.status == Status::empty, "an empty slot");
+    SimulationOptions const& options = params->options;
+    if (options.energy_ledger)
+        throw InputError("the engine \"cuda\" keeps no energy ledger; use the engine \"cpu\", or leave the "
+                         "ledger out");
+    if (options.team)
+        throw InputError("the engine \"cuda\" has a simulation on one device, not on several ranks");
+    replica = HostReplica{};
+    replica.device.status = Status::running;
+    change_params(slot, std::move(params));
+}
+
+void Batch::end(std::uint32_t slot)
+{
+    replicas_[slot] = HostReplica{};
+}
+
+void Batch::change_params(std::uint32_t slot, std::shared_ptr<Params const> params)
+{
+    replicas_[slot].params = std::move(params);
+    replicas_[slot].stale = true;
+    tables_are_old_ = true;
+}
+
+void Batch::add(std::uint32_t slot, Place const& place, Motion const& motion, MaterialId material)
+{
+    HostReplica& replica = replicas_[slot];
+    Particles& waiting = replica.waiting;
+    waiting.place.push_back(place);
+    waiting.motion.push_back(motion);
+    waiting.load.push_back({});
+    waiting.material.push_back(material.value);
+    waiting.id.push_back(replica.device.particles + static_cast<std::uint32_t>(waiting.id.size()));
+    replica.largest_radius = std::max(replica.largest_radius, place.radius);
+    replica.stale = true;
+    tables_are_old_ = true; // ranges are those of the largest particle
+}
+
+WallSet& Batch::change_walls(std::uint32_t slot)
+{
+    replicas_[slot].stale = true;
+    return replicas_[slot].walls;
+}
+
+Room Batch::room_for_all() const
+{
+    Room room = view_.room;
+    room.slots = slots();
+    room.neighbours = std::max(room.neighbours, bits_of_word);
+    room.walls = std::max(room.walls, 4u);
+    for (HostReplica const& replica : replicas_) {
+        if (replica.device.status == Status::empty)
+            continue;
+        auto const particles = replica.device.particles + static_cast<std::uint32_t>(replica.waiting.size());
+        if (particles > room.particles)
+            room.particles = whole_blocks(particles);
+        for (auto const& layout : replica.params->layouts)
+            room.history = std::max(room.history, static_cast<std::uint32_t>(layout.size));
+        auto const number = static_cast<std::uint32_t>(replica.walls.size());
+        room.wall_table = std::max(room.wall_table, number * (rows_of_block + 1));
+        room.laws = std::max(room.laws, static_cast<std::uint32_t>(replica.params->laws.size()));
+        room.materials =
+            std::max(room.materials, static_cast<std::uint32_t>(replica.params->materials.size()));
+        if (replica.device.status == Status::full) {
+            std::uint32_t const wanted = replica.device.room_wanted;
+            if (wanted > room.neighbours)
+                room.neighbours = (wanted + bits_of_word - 1) / bits_of_word * bits_of_word;
+            if (replica.device.wall_room_wanted > most_near_walls)
+                throw InputError(fmt::format("a particle is near {} walls at once; the engine \"cuda\" has "
+                                             "room for {}: use the engine \"cpu\"",
+                                             replica.device.wall_room_wanted, most_near_walls));
+            room.walls = std::max(room.walls, std::min(most_near_walls, replica.device.wall_room_wanted));
+        }
+    }
+    room.cells = whole_blocks(2 * room.particles + 1024);
+    return room;
+}
+
+void Batch::make_room(Room const& wanted)
+{
+    if (arrays_ && wanted == view_.room)
+        return;
+    View view{};
+    auto arrays = std::make_unique<Arrays>(*device_, wanted, view);
+    if (arrays_)
+        device_->move(view_, view);
+    arrays_ = std::move(arrays);
+    view_ = view;
+    tables_are_old_ = true;
+}
+
+void Batch::write_tables()
+{
+    if (!std::exchange(tables_are_old_, false))
+        return;
+    Room const& room = view_.room;
+    // Slots without laws keep those of any other, which nobody reads.
+    auto const any = std::find_if(replicas_.begin(), replicas_.end(),
+                                  [](HostReplica const& r) { return r.params && !r.params->laws.empty(); });
+    if (any == replicas_.end())
+        return;
+    std::vector<contact::LawSet> laws(std::size_t{room.slots} * room.laws, any->params->laws.front());
+    std::vector<contact::StateLayout> layouts(laws.size());
+    std::vector<contact::Range> ranges(laws.size());
+    std::vector<std::uint32_t> interaction(std::size_t{room.slots} * room.materials * room.materials);
+    for (std::size_t slot = 0; slot < replicas_.size(); ++slot) {
+        if (!replicas_[slot].params)
+            continue;
+        Params const& params = *replicas_[slot].params;
+        for (std::size_t k = 0; k < params.laws.size(); ++k) {
+            laws[slot * room.laws + k] = params.laws[k];
+            layouts[slot * room.laws + k] = params.layouts[k];
+            ranges[slot * room.laws + k] = contact::range_of(params.laws[k], replicas_[slot].largest_radius);
+        }
+        std::size_t const n = params.materials.size();
+        for (std::size_t a = 0; a < n; ++a)
+            for (std::size_t b = 0; b < n; ++b)
+                interaction[(slot * room.materials + a) * room.materials + b] = params.interaction[a * n + b];
+    }
+    device_->write(arrays_->laws.data(), laws.data(), laws.size() * sizeof laws[0]);
+    device_->write(arrays_->layouts.data(), layouts.data(), layouts.size() * sizeof layouts[0]);
+    device_->write(arrays_->ranges.data(), ranges.data(), ranges.size() * sizeof ranges[0]);
+    device_->write(arrays_->interaction.data(), interaction.data(), interaction.size() * 4);
+}
+
+void Batch::write_waiting(std::uint32_t slot)
+{
+    HostReplica& replica = replicas_[slot];
+    Particles& waiting = replica.waiting;
+    std::size_t const count = waiting.size();
+    if (count == 0)
+        return;
+    std::size_t const at = std::size_t{slot} * view_.room.particles + replica.device.particles;
+    auto const write = [&]<class Number>(Number* where, std::size_t set, std::vector<Number> const& from) {
+        device_->write(where + set * view_.all + at, from.data(), from.size() * sizeof(Number));
+    };
+    std::vector<std::uint32_t> const none(count, 0);
+    write(view_.place, replica.device.current, waiting.place);
+    write(view_.motion, replica.device.current, waiting.motion);
+    write(view_.load, 0, waiting.load);
+    write(view_.seen, replica.device.sorted, waiting.place);
+    write(view_.material, replica.device.sorted, waiting.material);
+    write(view_.id, replica.device.sorted, waiting.id);
+    write(view_.neighbours, replica.device.sorted, none);
+    write(view_.near_walls, replica.device.sorted, none);
+    write(view_.touching_walls, replica.device.sorted, none);
+    replica.device.particles += static_cast<std::uint32_t>(count);
+    waiting = {};
+}
+
+void Batch::prepare_walls(std::uint32_t slot, std::uint32_t steps)
+{
+    HostReplica& replica = replicas_[slot];
+    WallSet& walls = replica.walls;
+    std::size_t const number = walls.size();
+    double* const paths = wall_paths_.data() + std::size_t{slot} * (rows_of_block + 1);
+    FlatWall* const rows = wall_rows_.data() + std::size_t{slot} * view_.room.wall_table;
+    auto const write_row = [&](std::size_t row) {
+        std::transform(walls.all().begin(), walls.all().end(), rows + row * number, flattened);
+        paths[row] = replica.wall_path;
+    };
+    replica.device.walls = static_cast<std::uint32_t>(number);
+    replica.device.wall_rows =
+        walls.have_motions() || std::any_of(walls.all().begin(), walls.all().end(),
+                                            [](Wall const& w) { return w.active && can_move(w); });
+    write_row(0);
+    double const dt = replica.params->options.time_step;
+    if (!replica.device.wall_rows)
+        return;
+    for (std::uint32_t step = 1; step <= steps; ++step) {
+        double const time = static_cast<double>(replica.steps_done + step - 1) * dt;
+        replica.wall_path += dt * walls.advance(time, dt);
+        write_row(step);
+    }
+}
+
+void Batch::write_walls()
+{
+    device_->write(arrays_->walls.data(), wall_rows_.data(), wall_rows_.size() * sizeof(FlatWall));
+    device_->write(arrays_->wall_paths.data(), wall_paths_.data(), wall_paths_.size() * sizeof(double));
+}
+
+//! Before the first step contacts are as if they had always been there.
+void Batch::forget_contacts(std::uint32_t slot)
+{
+    HostReplica const& replica = replicas_[slot];
+    std::vector<std::uint32_t> const none(replica.device.particles, 0);
+    std::size_t const at = replica.device.sorted * view_.all + std::size_t{slot} * view_.room.particles;
+    for (auto* const where : {view_.neighbours, view_.near_walls, view_.touching_walls})
+        device_->write(where + at, none.data(), none.size() * sizeof none[0]);
+}
+
+LawKernel Batch::law_kernel() const
+{
+    auto const all_are = [&](auto const& test) {
+        return std::all_of(replicas_.begin(), replicas_.end(), [&](HostReplica const& replica) {
+            return !replica.params ||
+                   std::all_of(replica.params->laws.begin(), replica.params->laws.end(), test);
+        });
+    };
+    if (all_are(HertzMindlin::are))
+        return LawKernel::hertz_mindlin;
+    if (all_are(HertzMindlinEpsd2::are))
+        return LawKernel::hertz_mindlin_epsd2;
+    if (all_are(HertzRescale::are))
+        return LawKernel::hertz_rescale;
+    if (all_are(HertzRescaleEpsd2::are))
+        return LawKernel::hertz_rescale_epsd2;
+    return LawKernel::any;
+}
+
+void Batch::run_block(std::span<std::uint32_t const> steps)
+{
+    make_room(room_for_all());
+    write_tables();
+    wall_rows_.resize(std::size_t{view_.room.slots} * view_.room.wall_table);
+    wall_paths_.resize(std::size_t{view_.room.slots} * (rows_of_block + 1));
+    std::vector<Replica> records(slots());
+    std::uint32_t launches = 0;
+    std::vector<bool> takes_part(slots());
+    bool search_first = false;
+    for (std::uint32_t slot = 0; slot < slots(); ++slot) {
+        HostReplica& replica = replicas_[slot];
+        Replica& r = replica.device;
+        bool const begins = !replica.loads_are_known || (replica.steps_done == 0 && replica.stale);
+        if (r.status != Status::running || (steps[slot] == 0 && !begins)) {
+            r.phase = Phase::rest;
+            records[slot] = r;
+            continue;
+        }
+        takes_part[slot] = true;
+        write_waiting(slot);
+        SimulationOptions const& options = replica.params->options;
+        double furthest = 0;
+        for (auto const& laws : replica.params->laws)
+            furthest = std::max(furthest, contact::range_of(laws, replica.largest_radius).gap);
+        r.materials = static_cast<std::uint32_t>(replica.params->materials.size());
+        r.time_step = options.time_step;
+        r.gravity = options.gravity;
+        r.reach = options.skin + furthest;
+        r.trigger = 0.25 * options.skin * options.skin;
+        r.wall_trigger = 0.5 * options.skin;
+        r.cell = 2 * replica.largest_radius + r.reach;
+        r.overlap_limit = options.overlap_limit;
+        r.lower = options.domain_lower, r.upper = options.domain_upper;
+        r.periods = options.periodic;
+        r.step = 0, r.steps = steps[slot];
+        r.moves_first = !begins;
+        r.first_kick_is_half = replica.steps_done == 0;
+        r.stale = replica.stale;
+        r.phase = !begins ? Phase::move : r.steps > 0 ? Phase::load_and_move : Phase::load;
+        r.wants_lists = begins && r.stale;
+        r.outside = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            r.low[axis] = std::numeric_limits<std::uint64_t>::max(), r.high[axis] = 0;
+        search_first = search_first || r.wants_lists;
+        launches = std::max(launches, r.steps + 1);
+        if (begins && replica.steps_done == 0)
+            forget_contacts(slot);
+        prepare_walls(slot, r.steps);
+        records[slot] = r;
+    }
+    if (launches == 0)
+        return;
+    write_walls();
+    LawKernel const laws = law_kernel();
+    while (launches > 0) {
+        device_->write(view_.replica, records.data(), records.size() * sizeof(Replica));
+        device_->advance(view_, laws, launches, search_first);
+        device_->read(records.data(), view_.replica, records.size() * sizeof(Replica));
+        // Those that ran out of room go on where they stopped, when there is more.
+        launches = 0;
+        for (std::uint32_t slot = 0; slot < slots(); ++slot) {
+            replicas_[slot].device = records[slot];
+            if (records[slot].status == Status::full)
+                launches = std::max(launches, records[slot].steps - records[slot].step + 1);
+        }
+        if (launches == 0)
+            break;
+        make_room(room_for_all());
+        write_tables();
+        write_walls();
+        search_first = true;
+        for (Replica& r : records)
+            if (r.status == Status::full) {
+                r.status = Status::running;
+                r.phase = r.step < r.steps ? Phase::load_and_move : Phase::load;
+            }
+    }
+    for (std::uint32_t slot = 0; slot < slots(); ++slot) {
+        HostReplica& replica = replicas_[slot];
+        if (!takes_part[slot] || records[slot].status != Status::running)
+            continue;
+        replica.steps_done += records[slot].step;
+        replica.loads_are_known = true;
+        replica.stale = records[slot].stale != 0;
+    }
+}
+
+void Batch::advance(std::span<std::int64_t const> steps)
+{
+    DEMENS_EXPECT(steps.size() == replicas_.size(), "so many steps for each slot");
+    std::vector<std::int64_t> left(steps.begin(), steps.end());
+    std::vector<std::uint32_t> block(left.size());
+    bool first = true;
+    for (;; first = false) {
+        bool any = first;
+        for (std::uint32_t slot = 0; slot < slots(); ++slot) {
+            HostReplica const& replica = replicas_[slot];
+            bool const moves = replica.walls.have_motions() ||
+                               std::any_of(replica.walls.all().begin(), replica.walls.all().end(), can_move);
+            std::int64_t const most = moves ? rows_of_block : longest_block;
+            block[slot] = replica.device.status == Status::running
+                              ? static_cast<std::uint32_t>(std::min(most, left[slot]))
+                              : 0;
+            any = any || block[slot] > 0;
+            left[slot] -= block[slot];
+        }
+        if (!any)
+            return;
+        run_block(block);
+    }
+}
+
+Particles Batch::read(std::uint32_t slot) const
+{
+    HostReplica const& replica = replicas_[slot];
+    std::size_t const count = replica.device.particles, first = std::size_t{slot} * view_.room.particles;
+    Particles particles;
+    particles.resize(count);
+    auto const read = [&]<class Number>(std::vector<Number>& to, Number const* from, std::size_t set) {
+        if (count > 0)
+            device_->read(to.data(), from + set * view_.all + first, count * sizeof(Number));
+    };
+    read(particles.place, view_.place, replica.device.current);
+    read(particles.motion, view_.motion, replica.device.current);
+    read(particles.load, view_.load, 0);
+    read(particles.material, view_.material, replica.device.sorted);
+    read(particles.id, view_.id, replica.device.sorted);
+    Particles const& waiting = replica.waiting;
+    auto const append = [](auto& to, auto const& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(particles.place, waiting.place), append(particles.motion, waiting.motion);
+    append(particles.load, waiting.load), append(particles.material, waiting.material);
+    append(particles.id, waiting.id);
+    return particles;
+}
+
+namespace {
+
+//! Numbers of the device, of so many entries of all particles.
+template <class Number>
+std::vector<Number> fetch(Device& device, Number const* from, std::size_t count)
+{
+    std::vector<Number> numbers(count);
+    if (count > 0)
+        device.read(numbers.data(), from, count * sizeof(Number));
+    return numbers;
+}
+
+} // namespace
+
+std::vector<WallLoad> Batch::read_wall_loads(std::uint32_t slot) const
+{
+    HostReplica const& replica = replicas_[slot];
+    std::vector<WallLoad> loads(replica.walls.size());
+    std::size_t const count = replica.device.particles, first = std::size_t{slot} * view_.room.particles,
+                      set = replica.device.sorted;
+    if (!replica.loads_are_known || count == 0)
+        return loads;
+    auto const touching = fetch(*device_, view_.touching_walls + set * view_.all + first, count);
+    std::vector<std::vector<std::uint32_t>> near;
+    for (std::uint32_t k = 0; k < view_.room.walls; ++k)
+        near.push_back(fetch(*device_, view_.near_wall + view_.at(set, view_.room.walls, k, first), count));
+    std::size_t const stride = std::size_t{view_.room.history} + wall_numbers;
+    auto const numbers = fetch(*device_, static_cast<double const*>(view_.wall_history_of(set, first, 0)),
+                               count * view_.room.walls * stride);
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::uint32_t k = 0; k < view_.room.walls; ++k) {
+            if (!(touching[i] >> k & 1))
+                continue;
+            double const* const kept =
+                numbers.data() + (i * view_.room.walls + k) * stride + view_.room.history;
+            WallLoad& load = loads[near[k][i]];
+            load.force += Vector3{kept[wall_force_at], kept[wall_force_at + 1], kept[wall_force_at + 2]};
+            load.torque += Vector3{kept[wall_torque_at], kept[wall_torque_at + 1], kept[wall_torque_at + 2]};
+        }
+    return loads;
+}
+
+Batch::Contacts Batch::count_contacts(std::uint32_t slot) const
+{
+    HostReplica const& replica = replicas_[slot];
+    std::size_t const count = replica.device.particles, first = std::size_t{slot} * view_.room.particles,
+                      set = replica.device.sorted;
+    Contacts contacts{0, 0};
+    if (count == 0)
+        return contacts;
+    auto const ones = [](std::vector<std::uint32_t> const& bits, auto const& counts_at) {
+        std::size_t sum = 0;
+        for (std::size_t i = 0; i < bits.size(); ++i)
+            if (counts_at(i))
+                sum += static_cast<std::size_t>(std::popcount(bits[i]));
+        return sum;
+    };
+    auto const lengths = fetch(*device_, view_.neighbours + set * view_.all + first, count);
+    for (std::uint32_t word = 0; word < view_.words(); ++word)
+        contacts.pairs +=
+            ones(fetch(*device_, view_.touching + view_.at(set, view_.words(), word, first), count),
+                 [&](std::size_t i) { return lengths[i] > word * bits_of_word; });
+    contacts.pairs /= 2;
+    contacts.walls = ones(fetch(*device_, view_.touching_walls + set * view_.all + first, count),
+                          [](std::size_t) { return true; });
+    return contacts;
+}
+
+} // namespace demens::dem::cuda

@@ -1,0 +1,129 @@
+#pragma once
+
+#include "demens/dem/engine.hpp"
+#include "src/dem/cuda/device.hpp"
+#include "src/dem/params.hpp"
+#include "src/dem/wall_set.hpp"
+
+#include <span>
+#include <utility>
+
+namespace demens::dem::cuda {
+
+//! An array on a device.
+template <class Number>
+class DeviceArray
+{
+  public:
+    DeviceArray() = default;
+    DeviceArray(Device& device, std::size_t count)
+        : device_(&device), data_(static_cast<Number*>(device.allocate(count * sizeof(Number))))
+    {
+    }
+    DeviceArray(DeviceArray&& other) noexcept
+        : device_(other.device_), data_(std::exchange(other.data_, nullptr))
+    {
+    }
+    DeviceArray& operator=(DeviceArray&& other) noexcept
+    {
+        std::swap(device_, other.device_);
+        std::swap(data_, other.data_);
+        return *this;
+    }
+    ~DeviceArray()
+    {
+        if (data_ != nullptr)
+            device_->release(data_);
+    }
+
+    Number* data() const { return data_; }
+
+  private:
+    Device* device_ = nullptr;
+    Number* data_ = nullptr;
+};
+
+//! Many simulations on one device, advanced together: each has a slot, with its own laws, time step, walls
+//! and clock. One that goes wrong is left behind, the others go on; an empty slot can be taken at any time.
+//! What a replica does depends neither on its slot nor on its neighbours, bit for bit.
+class Batch
+{
+  public:
+    Batch(std::unique_ptr<Device> device, std::uint32_t slots);
+    ~Batch();
+
+    std::uint32_t slots() const { return static_cast<std::uint32_t>(replicas_.size()); }
+    std::string device_name() const { return device_->name(); }
+    //! Bytes of the device that so many slots of so many particles take, with the lists of dense beds.
+    static double memory_of(std::uint32_t slots, std::uint32_t particles, int history);
+
+    //! Begins a simulation in an empty slot. \throws InputError for what the device cannot do.
+    void begin(std::uint32_t slot, std::shared_ptr<Params const> params);
+    void end(std::uint32_t slot);
+
+    // Of a slot that is not empty.
+    void add(std::uint32_t slot, Place const& place, Motion const& motion, MaterialId material);
+    WallSet const& walls(std::uint32_t slot) const { return replicas_[slot].walls; }
+    //! The walls, to be changed: lists are made anew. \throws InputError when advanced with meshes.
+    WallSet& change_walls(std::uint32_t slot);
+    void change_params(std::uint32_t slot, std::shared_ptr<Params const> params);
+
+    //! So many steps of each slot; 0 makes loads known that are not. Slots that are not healthy stay.
+    void advance(std::span<std::int64_t const> steps);
+
+    Params const& params(std::uint32_t slot) const { return *replicas_[slot].params; }
+    std::int64_t steps_done(std::uint32_t slot) const { return replicas_[slot].steps_done; }
+    std::uint32_t particles(std::uint32_t slot) const { return replicas_[slot].device.particles; }
+    std::uint32_t rebuilds(std::uint32_t slot) const { return replicas_[slot].device.rebuilds; }
+    Status status(std::uint32_t slot) const { return replicas_[slot].device.status; }
+    bool leaping(std::uint32_t slot) { return std::exchange(replicas_[slot].device.leaping, 0u) != 0; }
+    bool overlapping(std::uint32_t slot)
+    {
+        return std::exchange(replicas_[slot].device.overlapping, 0u) != 0;
+    }
+
+    //! All particles, in the order of the device. Loads are of the last step.
+    Particles read(std::uint32_t slot) const;
+    //! Of the last step, also where walls or particles have been changed since.
+    std::vector<WallLoad> read_wall_loads(std::uint32_t slot) const;
+    struct Contacts
+    {
+        std::size_t pairs, walls;
+    };
+    Contacts count_contacts(std::uint32_t slot) const;
+
+  private:
+    struct HostReplica
+    {
+        std::shared_ptr<Params const> params;
+        WallSet walls;
+        Replica device{};
+        Particles waiting; //!< added, and not on the device yet
+        double largest_radius = 0;
+        double wall_path = 0; //!< since the start [m]
+        std::int64_t steps_done = 0;
+        bool loads_are_known = false, stale = true;
+    };
+    struct Arrays;
+
+    void make_room(Room const& wanted);
+    Room room_for_all() const;
+    void write_tables();
+    void write_waiting(std::uint32_t slot);
+    //! Rows of walls for so many steps; moves the walls on.
+    void prepare_walls(std::uint32_t slot, std::uint32_t steps);
+    void run_block(std::span<std::uint32_t const> steps);
+    void write_walls();
+    void forget_contacts(std::uint32_t slot);
+    LawKernel law_kernel() const;
+
+    std::unique_ptr<Device> device_;
+    std::vector<HostReplica> replicas_;
+    std::unique_ptr<Arrays> arrays_;
+    View view_{};
+    bool tables_are_old_ = true;
+    std::vector<FlatWall> wall_rows_;
+    std::vector<double> wall_paths_;
+};
+
+} // namespace demens::dem::cuda

@@ -1,0 +1,149 @@
+#include "src/dem/cuda/batch_engine.hpp"
+
+#include "demens/base/contract.hpp"
+#include "demens/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace demens::dem::cuda {
+
+BatchEngine::BatchEngine(std::shared_ptr<Batch> batch, std::uint32_t slot, contact::Model const& model,
+                         SimulationOptions const& options)
+    : batch_(std::move(batch)), slot_(slot), materials_(model.materials.size())
+{
+    batch_->begin(slot_, make_params(model, options));
+}
+
+IdRange BatchEngine::add(BodyBatch const& bodies)
+{
+    // Velocities are kept half a step behind the places, except before the first step.
+    Vector3 const behind = steps_done() == 0 ? Vector3{} : 0.5 * options().time_step * options().gravity;
+    IdRange ids{added_, added_};
+    for (Body const& body : bodies) {
+        add(body, body.velocity - behind);
+        ids.end = added_;
+    }
+    return ids;
+}
+
+void BatchEngine::add(Body const& body, Vector3 const& v)
+{
+    double const r = body.radius;
+    DEMENS_EXPECT(r > 0, "a body has a size");
+    materials_.bodies_enter(batch_->params(slot_), body.material, 1, walls());
+    double const mass = batch_->params(slot_).materials[body.material.value].density * 4.0 / 3.0 *
+                        std::numbers::pi * r * r * r;
+    batch_->add(slot_, {body.position.x, body.position.y, body.position.z, r},
+                {v.x, v.y, v.z, mass, body.spin.x, body.spin.y, body.spin.z, 0.4 * mass * r * r},
+                body.material);
+    ++added_;
+}
+
+WallId BatchEngine::add(Wall const& wall)
+{
+    materials_.wall_enters(batch_->params(slot_), wall.material);
+    return batch_->change_walls(slot_).add(wall);
+}
+
+void BatchEngine::move(WallId wall, std::vector<WallMotion> motions)
+{
+    batch_->change_walls(slot_).move(wall, std::move(motions),
+                                     static_cast<double>(steps_done()) * options().time_step);
+}
+
+void BatchEngine::set_model(contact::Model const& model)
+{
+    Params const& old = batch_->params(slot_);
+    auto params = make_params(model, old.options);
+    if (params->kinds != old.kinds || params->interaction != old.interaction)
+        throw InputError("a simulation that runs may get other coefficients, but not other laws, materials "
+                         "or pairs of them");
+    batch_->change_params(slot_, std::move(params));
+}
+
+void BatchEngine::advance(std::int64_t steps)
+{
+    std::vector<std::int64_t> of_slots(batch_->slots(), 0);
+    of_slots[slot_] = steps;
+    batch_->advance(of_slots);
+}
+
+Particles const& BatchEngine::fetched()
+{
+    return particles_ = batch_->read(slot_);
+}
+
+CatchUp BatchEngine::catch_up() const
+{
+    return {steps_done() == 0 ? 0 : 0.5 * options().time_step, options().gravity};
+}
+
+Health BatchEngine::health()
+{
+    bool const leaping = batch_->leaping(slot_), overlapping = batch_->overlapping(slot_);
+    switch (batch_->status(slot_)) {
+    case Status::not_a_number:
+        return Health::not_a_number;
+    case Status::escaped: {
+        Particles const& particles = fetched();
+        bool const finite = std::all_of(particles.place.begin(), particles.place.end(),
+                                        [](Place const& p) { return std::isfinite(p.x + p.y + p.z); });
+        return finite ? Health::escaped : Health::not_a_number;
+    }
+    default:
+        return leaping ? Health::leaping : overlapping ? Health::overlapping : Health::good;
+    }
+}
+
+StateView BatchEngine::read(Fields fields)
+{
+    Particles const& all = fetched();
+    return {{all.place, all.motion, all.load, all.material, all.id}, fields, catch_up()};
+}
+
+double BatchEngine::largest_speed()
+{
+    double squared = 0;
+    for (Motion const& m : fetched().motion)
+        squared = std::max(squared, m.vx * m.vx + m.vy * m.vy + m.vz * m.vz);
+    return std::sqrt(squared);
+}
+
+double BatchEngine::kinetic_energy()
+{
+    CatchUp const now = catch_up();
+    Particles const& particles = fetched();
+    double energy = 0;
+    for (std::size_t k = 0; k < particles.size(); ++k) {
+        Motion const& m = particles.motion[k];
+        Load const& l = particles.load[k];
+        energy +=
+            0.5 * m.mass * norm_squared(now.velocity(m, l)) + 0.5 * m.inertia * norm_squared(now.spin(m, l));
+    }
+    return energy;
+}
+
+EnergyLedger BatchEngine::energy()
+{
+    throw InputError("the engine \"cuda\" keeps no energy ledger");
+}
+
+Counts BatchEngine::counts()
+{
+    auto const [pairs, walls] = batch_->count_contacts(slot_);
+    return {.particles = added_,
+            .contacts = pairs,
+            .wall_contacts = walls,
+            .rebuilds = batch_->rebuilds(slot_),
+            .particles_of_rank = added_,
+            .ghosts_of_rank = 0};
+}
+
+StateRecord BatchEngine::save()
+{
+    throw InputError("the engine \"cuda\" does not save the state of a simulation; use the engine \"cpu\"");
+}
+
+} // namespace demens::dem::cuda

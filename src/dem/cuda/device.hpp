@@ -1,0 +1,43 @@
+#pragma once
+
+#include "src/dem/cuda/known_laws.hpp"
+#include "src/dem/cuda/view.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace demens::dem::cuda {
+
+//! What memory and kernels are on: a CUDA device, or this process, where the same kernels are loops. All the
+//! rest of a batch is the same for both.
+class Device
+{
+  public:
+    virtual ~Device() = default;
+
+    virtual std::string name() const = 0;
+    virtual std::size_t free_memory() const = 0; //!< [bytes]
+
+    //! Zeros. \throws std::bad_alloc
+    virtual void* allocate(std::size_t bytes) = 0;
+    virtual void release(void* memory) = 0;
+    virtual void write(void* to, void const* from, std::size_t bytes) = 0; //!< to the device
+    virtual void read(void* to, void const* from, std::size_t bytes) = 0;  //!< to the host; waits
+
+    //! So many launches of the step kernel, with searches where replicas want them; before the first one
+    //! where `search_first`. Does not wait.
+    virtual void advance(View const& view, LawKernel laws, std::uint32_t launches, bool search_first) = 0;
+    //! Copies all particles with their lists and histories into larger arrays.
+    virtual void move(View const& from, View const& to) = 0;
+};
+
+//! The kernels as loops of this process.
+std::unique_ptr<Device> make_host_device();
+//! The first CUDA device that this process sees. \throws std::runtime_error where there is none, or where
+//! this build has no code for one.
+std::unique_ptr<Device> make_cuda_device();
+//! Whether there is one.
+bool has_cuda_device();
+
+} // namespace demens::dem::cuda

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "demens/dem/wall.hpp"
+
+namespace demens::dem::cuda {
+
+//! A round shape by its meridian: disc, cylinder or cone.
+struct Round
+{
+    Vector3 centre, axis;
+    Meridian line;
+    RoundSide side;
+};
+DEMENS_FUNCTION constexpr Meridian meridian(Round const& round)
+{
+    return round.line;
+}
+
+//! A wall as the device reads it; meshes are not among them.
+struct FlatWall
+{
+    enum class Kind : std::uint32_t
+    {
+        absent, //!< inactive: touches nothing
+        rectangle,
+        round
+    };
+    Kind kind;
+    std::uint32_t material;
+    contact::WallSurface surface;
+    Rectangle rectangle; //!< of this kind
+    Round round;         //!< of this kind
+
+    //! From the nearest point to p; where p lies on the shape, a short way along its normal [m].
+    DEMENS_FUNCTION Vector3 offset(Vector3 const& p, double radius) const
+    {
+        bool const flat = kind == Kind::rectangle;
+        Vector3 const difference = p - (flat ? nearest(rectangle, p) : nearest(round, p));
+        if (norm_squared(difference) > 0)
+            return difference;
+        return 1e-9 * radius * (flat ? normal(rectangle, p) : normal(round, p));
+    }
+};
+
+//! \throws InputError for a mesh.
+FlatWall flattened(Wall const& wall);
+
+} // namespace demens::dem::cuda

@@ -1,0 +1,94 @@
+#include "src/dem/cuda/device.hpp"
+#include "src/dem/cuda/move_kernel.hpp"
+#include "src/dem/cuda/search_kernels.hpp"
+#include "src/dem/cuda/step_kernel.hpp"
+
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+namespace demens::dem::cuda {
+namespace {
+
+//! Kernels as loops.
+struct Loops
+{
+    Room room;
+
+    template <class Kernel>
+    void over(std::uint32_t count, Kernel const& kernel) const
+    {
+        for (std::uint32_t slot = 0; slot < room.slots; ++slot)
+            for (std::uint32_t local = 0; local < count; ++local)
+                kernel(Where{slot, local});
+    }
+    template <class Kernel>
+    void over_particles(Kernel const& kernel) const
+    {
+        over(room.particles, kernel);
+    }
+    template <class Kernel>
+    void over_cells(Kernel const& kernel) const
+    {
+        over(room.cells, kernel);
+    }
+    template <class Kernel>
+    void over_replicas(Kernel const& kernel) const
+    {
+        over(1, kernel);
+    }
+};
+
+class HostDevice final : public Device
+{
+  public:
+    std::string name() const override { return "host"; }
+    std::size_t free_memory() const override { return std::size_t{4} << 30; }
+
+    void* allocate(std::size_t bytes) override
+    {
+        void* const memory = std::calloc(bytes > 0 ? bytes : 1, 1);
+        if (memory == nullptr)
+            throw std::bad_alloc();
+        return memory;
+    }
+    void release(void* memory) override { std::free(memory); }
+    void write(void* to, void const* from, std::size_t bytes) override { copy(to, from, bytes); }
+    void read(void* to, void const* from, std::size_t bytes) override { copy(to, from, bytes); }
+
+    void advance(View const& view, LawKernel laws, std::uint32_t launches, bool search_first) override
+    {
+        Loops const loops{view.room};
+        if (search_first)
+            search(view, loops);
+        with_evaluation(laws, [&]<class Evaluate>(Evaluate) {
+            for (std::uint32_t k = 0; k < launches; ++k) {
+                loops.over_particles(StepKernel<Evaluate>{view});
+                bool wanted = false;
+                loops.over_replicas([&](Where const& where) { wanted |= Tick{view}(where); });
+                if (wanted)
+                    search(view, loops);
+            }
+        });
+    }
+    void move(View const& from, View const& to) override
+    {
+        Loops{from.room}.over_particles(MoveParticle{from, to});
+    }
+
+  private:
+    static void copy(void* to, void const* from, std::size_t bytes)
+    {
+        if (bytes > 0)
+            std::memcpy(to, from, bytes);
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Device> make_host_device()
+{
+    return std::make_unique<HostDevice>();
+}
+
+} // namespace demens::dem::cuda

@@ -1,0 +1,133 @@
+#pragma once
+
+#include "demens/contact/evaluation/evaluate_contact.hpp"
+
+namespace demens::dem::cuda {
+
+//! A law of which the compiler knows which it is.
+template <std::size_t k, class Any>
+struct KnownLaw
+{
+    Any const& any;
+
+    DEMENS_RUNS_WHERE_ITS_ARGUMENT_DOES
+    template <class Visitor>
+    DEMENS_FUNCTION decltype(auto) visit(Visitor&& visitor) const
+    {
+        return visitor(any.template get<k>());
+    }
+};
+
+//! A set of laws that are known when a kernel is compiled; it reads like a LawSet.
+template <contact::NormalLaw normal_law, contact::TangentialLaw tangential_law,
+          contact::RollingLaw rolling_law, contact::CohesionLaw cohesion_law>
+struct KnownLaws
+{
+    static constexpr auto n = static_cast<std::size_t>(normal_law);
+    static constexpr auto t = static_cast<std::size_t>(tangential_law);
+    static constexpr auto r = static_cast<std::size_t>(rolling_law);
+    static constexpr auto c = static_cast<std::size_t>(cohesion_law);
+
+    KnownLaw<n, contact::AnyNormal> normal;
+    KnownLaw<t, contact::AnyTangential> tangential;
+    KnownLaw<r, contact::AnyRolling> rolling;
+    KnownLaw<c, contact::AnyCohesion> cohesion;
+    double share;
+
+    DEMENS_FUNCTION explicit KnownLaws(contact::LawSet const& laws)
+        : normal{laws.normal}, tangential{laws.tangential}, rolling{laws.rolling}, cohesion{laws.cohesion},
+          share(laws.share_in_limit())
+    {
+    }
+    DEMENS_FUNCTION double share_in_limit() const { return share; }
+
+    static bool are(contact::LawSet const& laws)
+    {
+        return laws.normal.index() == n && laws.tangential.index() == t && laws.rolling.index() == r &&
+               laws.cohesion.index() == c;
+    }
+
+    static constexpr contact::StateLayout layout = contact::state_layout(
+        contact::state_size<contact::NormalStage, contact::AnyNormal::Law<n>>(false),
+        contact::state_size<contact::CohesionStage, contact::AnyCohesion::Law<c>>(false),
+        contact::state_size<contact::TangentialStage, contact::AnyTangential::Law<t>>(false),
+        contact::state_size<contact::RollingStage, contact::AnyRolling::Law<r>>(false), false);
+};
+
+//! A contact whose laws are known: its history is in registers meanwhile.
+template <class Laws>
+struct EvaluateKnown
+{
+    template <contact::Partner partner>
+    DEMENS_INLINE DEMENS_FUNCTION static contact::ContactOutcome
+    evaluate(contact::Meeting const& meeting, contact::LawSet const& set, contact::StateLayout const&,
+             double time_step, double* history, bool is_new)
+    {
+        constexpr contact::StateLayout layout = Laws::layout;
+        constexpr int size = layout.size > 0 ? layout.size : 1;
+        double own[size];
+        for (int k = 0; k < layout.size; ++k)
+            own[k] = is_new ? 0.0 : history[k];
+        Laws const laws(set);
+        auto const outcome =
+            contact::evaluate_contact<partner>(meeting, laws, layout, time_step, contact::HistoryRecord{own});
+        for (int k = 0; k < layout.size; ++k)
+            history[k] = own[k];
+        return outcome;
+    }
+};
+
+//! A contact of any laws.
+struct EvaluateAny
+{
+    template <contact::Partner partner>
+    DEMENS_FUNCTION static contact::ContactOutcome
+    evaluate(contact::Meeting const& meeting, contact::LawSet const& laws, contact::StateLayout const& layout,
+             double time_step, double* history, bool is_new)
+    {
+        if (is_new)
+            for (int k = 0; k < layout.size; ++k)
+                history[k] = 0;
+        return contact::evaluate_contact<partner>(meeting, laws, layout, time_step,
+                                                  contact::HistoryRecord{history});
+    }
+};
+
+using HertzMindlin = KnownLaws<contact::NormalLaw::hertz, contact::TangentialLaw::mindlin,
+                               contact::RollingLaw::none, contact::CohesionLaw::none>;
+using HertzMindlinEpsd2 = KnownLaws<contact::NormalLaw::hertz, contact::TangentialLaw::mindlin,
+                                    contact::RollingLaw::epsd2, contact::CohesionLaw::none>;
+using HertzRescale = KnownLaws<contact::NormalLaw::hertz, contact::TangentialLaw::mindlin_rescale,
+                               contact::RollingLaw::none, contact::CohesionLaw::none>;
+using HertzRescaleEpsd2 = KnownLaws<contact::NormalLaw::hertz, contact::TangentialLaw::mindlin_rescale,
+                                    contact::RollingLaw::epsd2, contact::CohesionLaw::none>;
+
+//! The kernels that there are: one for any laws, and for those that are used most one each.
+enum class LawKernel
+{
+    any,
+    hertz_mindlin,
+    hertz_mindlin_epsd2,
+    hertz_rescale,
+    hertz_rescale_epsd2
+};
+
+//! Calls `visitor` with what evaluates contacts.
+template <class Visitor>
+void with_evaluation(LawKernel kernel, Visitor&& visitor)
+{
+    switch (kernel) {
+    case LawKernel::any:
+        return visitor(EvaluateAny{});
+    case LawKernel::hertz_mindlin:
+        return visitor(EvaluateKnown<HertzMindlin>{});
+    case LawKernel::hertz_mindlin_epsd2:
+        return visitor(EvaluateKnown<HertzMindlinEpsd2>{});
+    case LawKernel::hertz_rescale:
+        return visitor(EvaluateKnown<HertzRescale>{});
+    case LawKernel::hertz_rescale_epsd2:
+        return visitor(EvaluateKnown<HertzRescaleEpsd2>{});
+    }
+}
+
+} // namespace demens::dem::cuda

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "demens/dem/periods.hpp"
+
+#include <cstdint>
+
+namespace demens::dem::cuda {
+
+//! How it goes with a replica. One that does not run keeps its slot, and is left alone by all kernels.
+enum class Status : std::uint32_t
+{
+    empty,        //!< a slot without a replica
+    running,      //!< healthy
+    not_a_number, //!< a place, velocity or spin is not finite
+    escaped,      //!< a particle is outside the domain
+    full          //!< a list is longer than its room: it goes on when there is more
+};
+
+//! What the next launch does with a replica.
+enum class Phase : std::uint32_t
+{
+    rest,
+    move,          //!< kick and drift with the loads that are known
+    load_and_move, //!< loads, then kick and drift with them: most launches
+    load           //!< loads, kept for whoever reads them and for the next block of steps
+};
+
+//! One simulation of a batch, as the device has it. Particles are numbered in the replica; `slot * capacity`
+//! more is where they lie.
+struct Replica
+{
+    // What the host says.
+    std::uint32_t particles, walls, materials;
+    double time_step;     //!< [s]
+    Vector3 gravity;      //!< [m/s^2]
+    double reach;         //!< of lists beyond contact [m]
+    double trigger;       //!< square of the path after which lists are made anew [m^2]
+    double wall_trigger;  //!< and the path of walls [m]
+    double cell;          //!< least size of a cell [m]
+    double overlap_limit; //!< over the smaller radius
+    Vector3 lower, upper; //!< of the domain [m]
+    Periods periods;
+    std::uint32_t wall_rows; //!< 1: walls move, and have a row for each step of a block
+
+    // What goes on.
+    Status status;
+    Phase phase;
+    std::uint32_t current;     //!< which of the two sets of places and motions holds
+    std::uint32_t sorted;      //!< which of the two sets of lists, and of what is sorted with them, holds
+    std::uint32_t step, steps; //!< of this block: done, to do
+    std::uint32_t moves_first; //!< this block begins with loads that are known
+    std::uint32_t first_kick_is_half;
+    std::uint32_t stale; //!< lists are to be made anew, whatever has moved
+    double walls_seen;   //!< path of the walls when lists were made [m]
+
+    // What kernels find; any thread may raise one.
+    std::uint32_t wants_lists, broken, outside, leaping, overlapping;
+    std::uint32_t room_wanted, wall_room_wanted; //!< longest list that had no room
+
+    // The grid of the last search.
+    std::uint64_t low[3], high[3]; //!< of places, as ordered numbers
+    Vector3 origin, per_length;    //!< [m], [1/m]
+    std::int32_t nx, ny, nz;
+    std::uint32_t rebuilds;
+};
+
+} // namespace demens::dem::cuda

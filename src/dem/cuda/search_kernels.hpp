@@ -1,0 +1,495 @@
+#pragma once
+
+#include "src/dem/cuda/bits.hpp"
+#include "src/dem/cuda/view.hpp"
+
+namespace demens::dem::cuda {
+
+// Lists made anew, in all replicas that want it and in no other. Nothing that holds is changed before the
+// last kernel: a replica whose lists find no room is as it was, and tries again when there is more.
+
+//! Whether this replica's lists are being made anew.
+DEMENS_INLINE DEMENS_FUNCTION bool searches(Replica const& r)
+{
+    return r.wants_lists != 0 && r.status == Status::running;
+}
+
+//! Puts particles back into the periods, and finds out where they are.
+struct FindBounds
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica& r = v.replica[where.slot];
+        if (!searches(r) || where.local >= r.particles)
+            return;
+        Place& p = v.place[r.current * v.all + std::uint64_t{where.slot} * v.room.particles + where.local];
+        if (r.periods.any()) {
+            p.x = r.periods.x.wrapped(p.x);
+            p.y = r.periods.y.wrapped(p.y);
+        }
+        if (!(p.x >= r.lower.x && p.y >= r.lower.y && p.z >= r.lower.z && p.x <= r.upper.x &&
+              p.y <= r.upper.y && p.z <= r.upper.z)) {
+            r.outside = 1; // or is not a number
+            return;
+        }
+        double const at[3] = {p.x, p.y, p.z};
+        for (int axis = 0; axis < 3; ++axis) {
+            lower_atomically(&r.low[axis], ordered(at[axis]));
+            raise_atomically(&r.high[axis], ordered(at[axis]));
+        }
+    }
+};
+
+//! The grid: cells that a particle and its reach fit into, but no more of them than there is room for.
+struct LayGrid
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica& r = v.replica[where.slot];
+        if (!searches(r))
+            return;
+        if (r.outside) {
+            r.status = Status::escaped;
+            r.phase = Phase::rest;
+            return;
+        }
+        double low[3], length[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = r.particles > 0 ? number_of(r.low[axis]) : 0;
+            length[axis] = r.particles > 0 ? number_of(r.high[axis]) - low[axis] : 0;
+        }
+        Period const periods[3] = {r.periods.x, r.periods.y, {}};
+        for (int axis = 0; axis < 2; ++axis)
+            if (periods[axis].on())
+                low[axis] = periods[axis].lower, length[axis] = periods[axis].length();
+        double cell = r.cell;
+        double n[3];
+        for (;; cell *= 1.25) {
+            for (int axis = 0; axis < 3; ++axis) {
+                // A period holds whole cells.
+                n[axis] = std::floor(length[axis] / cell) + (periods[axis].on() ? 0 : 1);
+                n[axis] = n[axis] > 1 ? n[axis] : 1;
+            }
+            if (n[0] * n[1] * n[2] <= v.room.cells)
+                break;
+        }
+        r.origin = {low[0], low[1], low[2]};
+        r.nx = static_cast<int>(n[0]), r.ny = static_cast<int>(n[1]), r.nz = static_cast<int>(n[2]);
+        r.per_length = {periods[0].on() ? n[0] / length[0] : 1 / cell,
+                        periods[1].on() ? n[1] / length[1] : 1 / cell, 1 / cell};
+        r.room_wanted = r.wall_room_wanted = 0;
+    }
+};
+
+DEMENS_INLINE DEMENS_FUNCTION std::uint32_t cells_of(Replica const& r)
+{
+    return static_cast<std::uint32_t>(r.nx * r.ny * r.nz);
+}
+
+DEMENS_INLINE DEMENS_FUNCTION int cell_along(double at, double origin, double per_length, int n)
+{
+    int const cell = static_cast<int>((at - origin) * per_length);
+    return cell < 0 ? 0 : cell < n ? cell : n - 1;
+}
+
+struct Cell
+{
+    int x, y, z;
+};
+DEMENS_INLINE DEMENS_FUNCTION Cell cell_at(Replica const& r, Place const& p)
+{
+    return {cell_along(p.x, r.origin.x, r.per_length.x, r.nx),
+            cell_along(p.y, r.origin.y, r.per_length.y, r.ny),
+            cell_along(p.z, r.origin.z, r.per_length.z, r.nz)};
+}
+DEMENS_INLINE DEMENS_FUNCTION std::uint32_t number_of_cell(Replica const& r, int x, int y, int z)
+{
+    return static_cast<std::uint32_t>((z * r.ny + y) * r.nx + x);
+}
+
+//! Over cells.
+struct ClearCells
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica const& r = v.replica[where.slot];
+        if (searches(r) && where.local <= cells_of(r) && where.local < v.room.cells)
+            v.cell_start[std::uint64_t{where.slot} * (v.room.cells + 1) + where.local] = 0;
+    }
+};
+
+struct CountInCells
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica const& r = v.replica[where.slot];
+        if (!searches(r) || where.local >= r.particles)
+            return;
+        std::uint64_t const i = std::uint64_t{where.slot} * v.room.particles + where.local;
+        Cell const c = cell_at(r, v.place[r.current * v.all + i]);
+        std::uint32_t const cell = number_of_cell(r, c.x, c.y, c.z);
+        v.cell_of[i] = cell;
+        v.place_in_cell[i] =
+            add_atomically(&v.cell_start[std::uint64_t{where.slot} * (v.room.cells + 1) + cell], 1);
+    }
+};
+
+// Where cells begin: sums of 32, of 32 of these, all of those in turn, and back.
+constexpr std::uint32_t summed = 32;
+
+DEMENS_INLINE DEMENS_FUNCTION std::uint32_t parts(std::uint32_t count)
+{
+    return (count + summed - 1) / summed;
+}
+
+//! Sums over `summed` numbers each.
+DEMENS_INLINE DEMENS_FUNCTION void sum_parts(std::uint32_t const* numbers, std::uint32_t count,
+                                             std::uint32_t part, std::uint32_t* sums)
+{
+    std::uint32_t sum = 0;
+    for (std::uint32_t k = part * summed; k < (part + 1) * summed && k < count; ++k)
+        sum += numbers[k];
+    sums[part] = sum;
+}
+//! Numbers become what is before them, from `before` on.
+DEMENS_INLINE DEMENS_FUNCTION void add_up(std::uint32_t* numbers, std::uint32_t from, std::uint32_t to,
+                                          std::uint32_t before)
+{
+    for (std::uint32_t k = from; k < to; ++k) {
+        std::uint32_t const own = numbers[k];
+        numbers[k] = before;
+        before += own;
+    }
+}
+
+//! Over cells. `level` 0: sums of cells, 1: sums of these.
+template <int level>
+struct SumCells
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica const& r = v.replica[where.slot];
+        std::uint32_t const cells = cells_of(r), count = level == 0 ? cells : parts(cells);
+        if (!searches(r) || where.local >= parts(count))
+            return;
+        auto* const sums = v.sums + std::uint64_t{where.slot} * parts(v.room.cells);
+        if (level == 0)
+            sum_parts(v.cell_start + std::uint64_t{where.slot} * (v.room.cells + 1), count, where.local,
+                      sums);
+        else
+            sum_parts(sums, count, where.local,
+                      v.sums_of_sums + std::uint64_t{where.slot} * parts(parts(v.room.cells)));
+    }
+};
+
+//! Over replicas.
+struct AddUpSums
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica const& r = v.replica[where.slot];
+        if (!searches(r))
+            return;
+        std::uint32_t const cells = cells_of(r);
+        add_up(v.sums_of_sums + std::uint64_t{where.slot} * parts(parts(v.room.cells)), 0,
+               parts(parts(cells)), 0);
+        v.cell_start[std::uint64_t{where.slot} * (v.room.cells + 1) + cells] = r.particles;
+    }
+};
+
+//! Over cells. `level` 1: sums, 0: cells.
+template <int level>
+struct AddUpCells
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica const& r = v.replica[where.slot];
+        std::uint32_t const cells = cells_of(r), count = level == 0 ? cells : parts(cells);
+        if (!searches(r) || where.local >= parts(count))
+            return;
+        auto* const sums = v.sums + std::uint64_t{where.slot} * parts(v.room.cells);
+        auto* const numbers =
+            level == 0 ? v.cell_start + std::uint64_t{where.slot} * (v.room.cells + 1) : sums;
+        std::uint32_t const before =
+            level == 0 ? sums[where.local]
+                       : v.sums_of_sums[std::uint64_t{where.slot} * parts(parts(v.room.cells)) + where.local];
+        std::uint32_t const end = (where.local + 1) * summed;
+        add_up(numbers, where.local * summed, end < count ? end : count, before);
+    }
+};
+
+//! Puts particles into their cells, as they come.
+struct FillCells
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica const& r = v.replica[where.slot];
+        if (!searches(r) || where.local >= r.particles)
+            return;
+        std::uint64_t const first = std::uint64_t{where.slot} * v.room.particles, i = first + where.local;
+        std::uint32_t const start =
+            v.cell_start[std::uint64_t{where.slot} * (v.room.cells + 1) + v.cell_of[i]];
+        v.bucket[first + start + v.place_in_cell[i]] = where.local;
+    }
+};
+
+//! Sorts particles along the cells, and in a cell by their ids: an order that does not depend on who came
+//! first.
+struct SortParticles
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica const& r = v.replica[where.slot];
+        if (!searches(r) || where.local >= r.particles)
+            return;
+        std::uint64_t const first = std::uint64_t{where.slot} * v.room.particles, i = first + where.local;
+        std::uint64_t const old = r.sorted * v.all, now = (1 - r.sorted) * v.all;
+        std::uint32_t const* const start =
+            v.cell_start + std::uint64_t{where.slot} * (v.room.cells + 1) + v.cell_of[i];
+        std::uint32_t const id = v.id[old + i];
+        std::uint32_t to = start[0];
+        for (std::uint32_t k = start[0]; k < start[1]; ++k)
+            to += v.id[old + first + v.bucket[first + k]] < id;
+        v.new_index[i] = to;
+        v.old_index[first + to] = where.local;
+        Place const place = v.place[r.current * v.all + i];
+        v.place[(1 - r.current) * v.all + first + to] = place;
+        v.motion[(1 - r.current) * v.all + first + to] = v.motion[r.current * v.all + i];
+        v.seen[now + first + to] = place;
+        v.id[now + first + to] = id;
+        v.material[now + first + to] = v.material[old + i];
+    }
+};
+
+//! Fills the lists of a particle, with the histories of contacts that go on.
+struct FindNeighbours
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica& r = v.replica[where.slot];
+        if (!searches(r) || where.local >= r.particles)
+            return;
+        std::uint64_t const first = std::uint64_t{where.slot} * v.room.particles;
+        Place const here = v.place[(1 - r.current) * v.all + first + where.local];
+        find_pairs(r, where, first, here);
+        find_walls(r, where, first, here);
+    }
+
+  private:
+    //! Cells along one direction that may hold neighbours: they wrap around in a period.
+    struct Span
+    {
+        int from, to, n;
+        bool wraps;
+
+        DEMENS_FUNCTION Span(int cell, int count, bool periodic) : from(cell - 1), to(cell + 1), n(count)
+        {
+            wraps = periodic;
+            if (periodic) {
+                from = count > 2 ? from : 0;
+                to = count > 2 ? to : count - 1;
+            } else {
+                from = from < 0 ? 0 : from;
+                to = to < count ? to : count - 1;
+            }
+        }
+        DEMENS_FUNCTION int at(int k) const { return wraps ? (k + n) % n : k; }
+    };
+
+    DEMENS_FUNCTION void find_pairs(Replica& r, Where const& where, std::uint64_t first,
+                                    Place const& here) const
+    {
+        std::uint64_t const i = first + where.local;
+        std::uint32_t const now = 1 - r.sorted;
+        std::uint32_t const* const start = v.cell_start + std::uint64_t{where.slot} * (v.room.cells + 1);
+        Place const* const places = v.place + (1 - r.current) * v.all + first;
+        bool const wraps_x = r.periods.x.on(), wraps_y = r.periods.y.on();
+        double const length_x = r.periods.x.length(), half_x = r.periods.x.half();
+        double const length_y = r.periods.y.length(), half_y = r.periods.y.half();
+        std::uint32_t count = 0;
+        auto const test = [&](std::uint32_t from, std::uint32_t to) {
+            for (std::uint32_t j = from; j < to; ++j) {
+                Place const there = places[j];
+                double x = here.x - there.x, y = here.y - there.y;
+                double const z = here.z - there.z;
+                if (wraps_x)
+                    x = nearest_image(x, length_x, half_x);
+                if (wraps_y)
+                    y = nearest_image(y, length_y, half_y);
+                double const near = here.radius + there.radius + r.reach;
+                if (x * x + y * y + z * z < near * near && j != where.local) {
+                    if (count < v.room.neighbours)
+                        v.neighbour[v.at(now, v.room.neighbours, count, i)] = j;
+                    ++count;
+                }
+            }
+        };
+        Cell const c = cell_at(r, here);
+        Span const xs(c.x, r.nx, wraps_x), ys(c.y, r.ny, wraps_y), zs(c.z, r.nz, false);
+        for (int z = zs.from; z <= zs.to; ++z)
+            for (int y = ys.from; y <= ys.to; ++y) {
+                int const row_y = ys.at(y);
+                if (!wraps_x) { // cells of a row follow one another
+                    test(start[number_of_cell(r, xs.from, row_y, z)],
+                         start[number_of_cell(r, xs.to, row_y, z) + 1]);
+                } else {
+                    for (int x = xs.from; x <= xs.to; ++x) {
+                        std::uint32_t const cell = number_of_cell(r, xs.at(x), row_y, z);
+                        test(start[cell], start[cell + 1]);
+                    }
+                }
+            }
+        v.neighbours[now * v.all + i] = count;
+        if (count > v.room.neighbours) {
+            raise_atomically(&r.room_wanted, count);
+            return;
+        }
+        for (std::uint32_t word = 0; word < v.words(); ++word)
+            v.touching[v.at(now, v.words(), word, i)] = 0;
+        carry_over(r, where, first, count);
+    }
+
+    //! Histories of the contacts that the particle had.
+    DEMENS_FUNCTION void carry_over(Replica const& r, Where const& where, std::uint64_t first,
+                                    std::uint32_t count) const
+    {
+        std::uint32_t const before = r.sorted, now = 1 - r.sorted;
+        std::uint32_t const old_local = v.old_index[first + where.local];
+        std::uint64_t const old = first + old_local, i = first + where.local;
+        std::uint32_t const old_count = v.neighbours[before * v.all + old];
+        contact::StateLayout const* const layouts = v.layouts + std::uint64_t{where.slot} * v.room.laws;
+        for (std::uint32_t word = 0; word * bits_of_word < old_count; ++word)
+            for (std::uint32_t left = v.touching[v.at(before, v.words(), word, old)]; left != 0;
+                 left &= left - 1) {
+                std::uint32_t const from = word * bits_of_word + lowest_bit(left);
+                std::uint32_t const old_j = v.neighbour[v.at(before, v.room.neighbours, from, old)];
+                std::uint32_t const j = v.new_index[first + old_j];
+                std::uint32_t k = 0;
+                while (k < count && v.neighbour[v.at(now, v.room.neighbours, k, i)] != j)
+                    ++k;
+                if (k == count)
+                    continue; // it has gone too far within this step
+                // Vectors are those of the particle that comes first: another one may do so now.
+                double const sign = (old_local < old_j) == (where.local < j) ? 1.0 : -1.0;
+                std::uint32_t const a = v.material[now * v.all + i], b = v.material[now * v.all + first + j];
+                std::uint64_t const materials = std::uint64_t{where.slot} * v.room.materials;
+                auto const scalars = static_cast<std::uint32_t>(
+                    layouts[v.interaction[(materials + a) * v.room.materials + b]].scalars);
+                double const* const history = v.history_of(before, old, from);
+                double* const to = v.history_of(now, i, k);
+                for (std::uint32_t n = 0; n < v.room.history; ++n)
+                    to[n] = n < scalars ? history[n] : sign * history[n];
+                v.touching[v.at(now, v.words(), k / bits_of_word, i)] |= 1u << k % bits_of_word;
+            }
+    }
+
+    DEMENS_FUNCTION void find_walls(Replica& r, Where const& where, std::uint64_t first,
+                                    Place const& here) const
+    {
+        std::uint64_t const i = first + where.local;
+        std::uint32_t const before = r.sorted, now = 1 - r.sorted;
+        std::uint64_t const old = first + v.old_index[i];
+        FlatWall const* const walls = v.walls + std::uint64_t{where.slot} * v.room.wall_table +
+                                      std::uint64_t{r.wall_rows * r.step} * r.walls;
+        double const near = here.radius + r.reach;
+        std::uint32_t count = 0, touching = 0;
+        for (std::uint32_t w = 0; w < r.walls; ++w) {
+            if (walls[w].kind == FlatWall::Kind::absent ||
+                !(norm_squared(walls[w].offset({here.x, here.y, here.z}, here.radius)) < near * near))
+                continue;
+            if (count < v.room.walls) {
+                v.near_wall[v.at(now, v.room.walls, count, i)] = w;
+                touching |= carry_over_wall(before, now, old, i, w, count);
+            }
+            ++count;
+        }
+        v.near_walls[now * v.all + i] = count;
+        v.touching_walls[now * v.all + i] = touching;
+        if (count > v.room.walls)
+            raise_atomically(&r.wall_room_wanted, count);
+    }
+
+    //! The history of the contact with wall w; returns its bit, or 0 without one.
+    DEMENS_FUNCTION std::uint32_t carry_over_wall(std::uint32_t before, std::uint32_t now, std::uint64_t old,
+                                                  std::uint64_t i, std::uint32_t w, std::uint32_t k) const
+    {
+        std::uint32_t const old_count = v.near_walls[before * v.all + old];
+        std::uint32_t const old_touching = v.touching_walls[before * v.all + old];
+        for (std::uint32_t from = 0; from < old_count; ++from) {
+            if (!(old_touching >> from & 1) || v.near_wall[v.at(before, v.room.walls, from, old)] != w)
+                continue;
+            double const* const history = v.wall_history_of(before, old, from);
+            double* const to = v.wall_history_of(now, i, k);
+            for (std::uint32_t n = 0; n < v.room.history + wall_numbers; ++n)
+                to[n] = history[n];
+            return 1u << k;
+        }
+        return 0;
+    }
+};
+
+//! The new lists hold.
+struct FinishSearch
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica& r = v.replica[where.slot];
+        if (!searches(r))
+            return;
+        for (int axis = 0; axis < 3; ++axis) // for the next one
+            r.low[axis] = ~std::uint64_t{0}, r.high[axis] = 0;
+        if (r.room_wanted > v.room.neighbours || r.wall_room_wanted > v.room.walls) {
+            r.status = Status::full;
+            r.phase = Phase::rest;
+            return;
+        }
+        r.current = 1 - r.current;
+        r.sorted = 1 - r.sorted;
+        r.walls_seen = v.wall_path(where.slot);
+        r.wants_lists = r.stale = 0;
+        ++r.rebuilds;
+    }
+};
+
+//! All of it, in order, on what launches kernels.
+template <class Launcher>
+void search(View const& v, Launcher&& launch)
+{
+    launch.over_particles(FindBounds{v});
+    launch.over_replicas(LayGrid{v});
+    launch.over_cells(ClearCells{v});
+    launch.over_particles(CountInCells{v});
+    launch.over_cells(SumCells<0>{v});
+    launch.over_cells(SumCells<1>{v});
+    launch.over_replicas(AddUpSums{v});
+    launch.over_cells(AddUpCells<1>{v});
+    launch.over_cells(AddUpCells<0>{v});
+    launch.over_particles(FillCells{v});
+    launch.over_particles(SortParticles{v});
+    launch.over_particles(FindNeighbours{v});
+    launch.over_replicas(FinishSearch{v});
+}
+
+} // namespace demens::dem::cuda

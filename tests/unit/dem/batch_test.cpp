@@ -1,0 +1,323 @@
+// Batches of simulations for CUDA devices: the same kernels as loops of this process, and on a device where
+// there is one.
+#include "demens/base/error.hpp"
+#include "demens/base/random.hpp"
+#include "demens/dem/simulation.hpp"
+#include "src/dem/cuda/batch_engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <string>
+#include <tuple>
+
+namespace {
+
+using namespace demens;
+using namespace demens::dem;
+
+contact::Model powder(contact::TangentialLaw tangential = contact::TangentialLaw::mindlin,
+                      contact::RollingLaw rolling = contact::RollingLaw::epsd2,
+                      contact::CohesionLaw cohesion = contact::CohesionLaw::none)
+{
+    contact::PairProperties pair{.first = "powder", .second = "powder"};
+    pair.tangential = tangential, pair.rolling = rolling, pair.cohesion = cohesion;
+    pair.restitution = 0.5, pair.static_friction = pair.kinetic_friction = 0.5;
+    pair.rolling_friction = 0.1, pair.surface_energy = 0.01;
+    contact::PairProperties wall = pair;
+    wall.second = "steel", wall.static_friction = wall.kinetic_friction = 0.3;
+    contact::PairProperties other = pair; // never met
+    other.first = other.second = "steel";
+    return {{{"powder", 2500, 5e6, 0.3}, {"steel", 7800, 5e7, 0.3}}, {pair, wall, other}};
+}
+
+constexpr double radius = 1e-3, time_step = 1e-5;
+
+//! Spheres that fall into a box, or tumble in a drum.
+void fill(Simulation& simulation, std::size_t count, std::uint64_t seed, bool drum)
+{
+    RandomStream random(seed);
+    BodyBatch bodies;
+    for (std::size_t k = 0; k < count; ++k) {
+        auto const column = static_cast<double>(k % 16), row = static_cast<double>(k / 16);
+        double const x = std::fmod(column, 4) - 1.5, y = std::floor(column / 4) - 1.5;
+        bodies.push_back({.position = 2.3 * radius * Vector3{x, y, row - 2},
+                          .radius = radius * random.uniform(0.7, 1),
+                          .velocity = {random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), -0.3},
+                          .spin = {random.uniform(-50, 50), 0, 0}});
+    }
+    simulation.add(bodies);
+    double const half = 5 * radius;
+    if (drum) {
+        simulation.add(Wall{.shape = Cylinder{{0, 0, 2 * radius}, {0, 1, 0}, half, 9 * radius},
+                            .material = MaterialId{1},
+                            .spin = {0, 10, 0}});
+        for (double const side : {-1.0, 1.0})
+            simulation.add(Wall{.shape = Disc{{0, side * half, 2 * radius}, {0, 1, 0}, 10 * radius},
+                                .material = MaterialId{1}});
+        return;
+    }
+    for (Rectangle const& side : box_sides({-half, -half, -6 * radius}, {half, half, 60 * radius}))
+        simulation.add(Wall{.shape = side, .material = MaterialId{1}});
+}
+
+SimulationOptions on(EngineKind engine)
+{
+    return {.time_step = time_step, .skin = 0.3 * radius, .engine = engine};
+}
+
+//! With the loops of this process, or as `ctest -L gpu` runs it, on a device.
+EngineKind kind()
+{
+    char const* const where = std::getenv("DEMENS_TEST_ENGINE");
+    return where != nullptr && std::string(where) == "cuda" ? EngineKind::cuda : EngineKind::cuda_on_host;
+}
+bool lacks_device()
+{
+    return kind() == EngineKind::cuda && !cuda::has_cuda_device();
+}
+
+class CudaEngine : public testing::Test
+{
+  protected:
+    void SetUp() override
+    {
+        if (lacks_device())
+            GTEST_SKIP() << "there is no CUDA device";
+    }
+};
+class Batch : public CudaEngine
+{
+};
+
+struct Sphere
+{
+    Vector3 position, velocity, spin, force;
+};
+//! In the order of the ids.
+std::vector<Sphere> spheres(Simulation& simulation)
+{
+    StateView const view = simulation.read(Fields::all);
+    std::vector<Sphere> result(view.size());
+    for (std::size_t k = 0; k < view.size(); ++k)
+        result[view.id(k).value] = {view.position(k), view.velocity(k), view.spin(k), view.force(k)};
+    return result;
+}
+
+double largest_distance(std::vector<Sphere> const& a, std::vector<Sphere> const& b)
+{
+    double largest = 0;
+    for (std::size_t k = 0; k < a.size(); ++k)
+        largest = std::max(largest, norm(a[k].position - b[k].position));
+    return largest;
+}
+
+TEST_F(CudaEngine, MovesParticlesAsTheCpuEngineDoes)
+{
+    for (bool const drum : {false, true}) {
+        Simulation here(powder(), on(EngineKind::cpu)), there(powder(), on(kind()));
+        for (Simulation* simulation : {&here, &there}) {
+            fill(*simulation, 64, 3, drum);
+            simulation->advance(0);
+            simulation->advance(1500); // collisions with each other and with walls, several lists
+        }
+        // Rounding, which collisions make larger by a factor of 10 or so each.
+        EXPECT_LT(largest_distance(spheres(here), spheres(there)), 1e-9 * radius) << drum;
+        EXPECT_GT(there.counts().rebuilds, 3);
+        EXPECT_EQ(here.counts().contacts, there.counts().contacts);
+        EXPECT_EQ(here.counts().wall_contacts, there.counts().wall_contacts);
+        auto const loads = here.read_wall_loads(), other = there.read_wall_loads();
+        for (std::size_t w = 0; w < loads.size(); ++w) {
+            EXPECT_LT(norm(loads[w].force - other[w].force), 1e-6 * (1e-4 + norm(loads[w].force)));
+            EXPECT_LT(norm(loads[w].torque - other[w].torque), 1e-6 * (1e-6 + norm(loads[w].torque)));
+        }
+        EXPECT_EQ(there.health(), Health::good);
+        EXPECT_NEAR(there.kinetic_energy(), here.kinetic_energy(), 1e-7 * here.kinetic_energy());
+    }
+}
+
+TEST_F(CudaEngine, HasAllLaws)
+{
+    using contact::CohesionLaw, contact::NormalLaw, contact::RollingLaw, contact::TangentialLaw;
+    for (auto const normal : {NormalLaw::hertz, NormalLaw::hysteretic_spring})
+        for (auto const& [tangential, rolling, cohesion] :
+             {std::tuple{TangentialLaw::mindlin_rescale, RollingLaw::epsd, CohesionLaw::jkr},
+              {TangentialLaw::mindlin_deresiewicz, RollingLaw::viscous, CohesionLaw::dmt},
+              {TangentialLaw::linear_coulomb, RollingLaw::constant_torque, CohesionLaw::sjkr2},
+              {TangentialLaw::mindlin_rescale, RollingLaw::epsd2, CohesionLaw::none},
+              {TangentialLaw::none, RollingLaw::none, CohesionLaw::van_der_waals}}) {
+            contact::Model model = powder(tangential, rolling, cohesion);
+            for (auto& pair : model.pairs)
+                pair.normal = normal;
+            Simulation here(model, on(EngineKind::cpu)), there(model, on(kind()));
+            for (Simulation* simulation : {&here, &there}) {
+                fill(*simulation, 32, 4, false);
+                simulation->advance(800);
+            }
+            EXPECT_LT(largest_distance(spheres(here), spheres(there)), 1e-8 * radius)
+                << static_cast<int>(tangential) << static_cast<int>(normal);
+        }
+}
+
+TEST_F(CudaEngine, CrossesPeriodsAndFollowsMovingWalls)
+{
+    auto const set_up = [&](EngineKind engine) {
+        SimulationOptions options = on(engine);
+        options.periodic = {{-5 * radius, 5 * radius}, {-5 * radius, 5 * radius}};
+        Simulation simulation(powder(), options);
+        fill(simulation, 48, 5, true);
+        for (std::uint32_t w = 0; w < 3; ++w)
+            simulation.activate(WallId{w}, false);
+        WallId const floor =
+            simulation.add(Wall{.shape = Rectangle{{0, 0, -8 * radius}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+        simulation.move(floor, {WallMotion{Shake{{0, 0, radius}, 30}}});
+        simulation.advance(700);
+        simulation.add(Body{.position = {0, 0, 30 * radius}, .radius = radius, .velocity = {1, 0, -3}});
+        simulation.advance(700);
+        return simulation;
+    };
+    Simulation here = set_up(EngineKind::cpu), there = set_up(kind());
+    EXPECT_LT(largest_distance(spheres(here), spheres(there)), 1e-8 * radius);
+    EXPECT_EQ(norm(here.wall(WallId{3}).velocity - there.wall(WallId{3}).velocity), 0);
+}
+
+//! A batch with simulations of all kinds in it.
+class SomeBatch
+{
+  public:
+    SomeBatch(EngineKind kind, std::uint32_t slots)
+        : batch_(std::make_shared<cuda::Batch>(
+              kind == EngineKind::cuda ? cuda::make_cuda_device() : cuda::make_host_device(), slots))
+    {
+    }
+
+    //! A simulation in a slot; `seed` says which.
+    void begin(std::uint32_t slot, std::uint64_t seed)
+    {
+        SimulationOptions options = on(EngineKind::cuda);
+        options.time_step *= 1 - 0.1 * static_cast<double>(seed);
+        options.domain_lower = {-1, -1, -1}, options.domain_upper = {1, 1, 1};
+        contact::Model model = powder();
+        model.pairs[0].restitution = 0.4 + 0.1 * static_cast<double>(seed);
+        engines_.resize(batch_->slots());
+        engines_[slot].reset();
+        engines_[slot] = std::make_unique<cuda::BatchEngine>(batch_, slot, model, options);
+        RandomStream random(seed);
+        BodyBatch bodies;
+        for (int k = 0; k < 20 + 30 * static_cast<int>(seed); ++k)
+            bodies.push_back(
+                {.position = 2.1 * radius * Vector3{double(k % 4), double(k / 4 % 4), double(k / 16)},
+                 .radius = radius * random.uniform(0.7, 1),
+                 .velocity = {random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), -0.3}});
+        engines_[slot]->add(bodies);
+        engines_[slot]->add(Wall{.shape = Rectangle{{0, 0, -2 * radius}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+    }
+    cuda::Batch& batch() { return *batch_; }
+    cuda::BatchEngine& operator[](std::uint32_t slot) { return *engines_[slot]; }
+    void advance(std::vector<std::int64_t> const& steps) { batch_->advance(steps); }
+
+    //! All bits of a slot, in the order of the ids.
+    std::vector<double> bits(std::uint32_t slot)
+    {
+        Particles const p = batch_->read(slot);
+        std::vector<double> all(p.size() * 16);
+        for (std::size_t k = 0; k < p.size(); ++k) {
+            double* const to = all.data() + 16 * p.id[k];
+            std::memcpy(to, &p.place[k], 4 * sizeof(double));
+            std::memcpy(to + 4, &p.motion[k], 8 * sizeof(double));
+            std::memcpy(to + 12, &p.load[k].fx, 3 * sizeof(double));
+        }
+        return all;
+    }
+
+  private:
+    std::shared_ptr<cuda::Batch> batch_;
+    std::vector<std::unique_ptr<cuda::BatchEngine>> engines_;
+};
+
+TEST_F(Batch, AReplicaHasTheSameBitsAloneAndInAnySlot)
+{
+    SomeBatch alone(kind(), 1);
+    alone.begin(0, 2);
+    alone.advance({500});
+    alone.advance({500});
+    SomeBatch many(kind(), 5);
+    for (std::uint32_t const slot : {0u, 1u, 3u, 4u})
+        many.begin(slot, slot == 3 ? 2 : slot % 2 + 1 + slot / 4);
+    many.advance({100, 700, 0, 1000, 30}); // one stays empty, all end at another step
+    EXPECT_EQ(alone.bits(0), many.bits(3));
+    EXPECT_EQ(many[1].steps_done(), 700);
+    EXPECT_GT(many[3].counts().contacts, 5);
+}
+
+TEST_F(Batch, LeavesBadReplicasBehindAndTakesOthersInTheirPlace)
+{
+    SomeBatch alone(kind(), 1);
+    alone.begin(0, 1);
+    alone.advance({900});
+    SomeBatch many(kind(), 4);
+    for (std::uint32_t slot = 0; slot < 4; ++slot)
+        many.begin(slot, 1);
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    many[0].add(BodyBatch{{.position = {0, 0, 0.5}, .radius = radius, .spin = {nan, 0, 0}}});
+    many[2].add(BodyBatch{{.position = {0, 0, 0.5}, .radius = radius, .velocity = {200, 0, 0}}});
+    many.advance({900, 900, 900, 900});
+    EXPECT_EQ(many[0].health(), Health::not_a_number);
+    EXPECT_EQ(many[1].health(), Health::good);
+    EXPECT_EQ(many[2].health(), Health::escaped);
+    EXPECT_EQ(alone.bits(0), many.bits(1));
+    EXPECT_EQ(alone.bits(0), many.bits(3));
+    // The places of the bad ones are taken while the others go on.
+    many.begin(0, 1);
+    many.begin(2, 1);
+    many.advance({900, 50, 900, 0});
+    EXPECT_EQ(alone.bits(0), many.bits(0));
+    EXPECT_EQ(alone.bits(0), many.bits(2));
+    EXPECT_EQ(many[1].steps_done(), 950);
+}
+
+TEST_F(Batch, GrowsWhereListsAreLongerThanTheirRoom)
+{
+    // A large sphere among many small ones, which it moves through: more neighbours than there is room for at
+    // first, in the middle of a block of steps.
+    auto const set_up = [&](EngineKind engine) {
+        SimulationOptions options = on(engine);
+        options.gravity = {};
+        Simulation simulation(powder(), options);
+        BodyBatch bodies{{.position = {0, 0, -14 * radius}, .radius = 8 * radius, .velocity = {0, 0, 2}}};
+        for (int k = 0; k < 250; ++k)
+            bodies.push_back(
+                {.position = 1.1 * radius * Vector3{k % 10 - 4.5, k / 10 % 10 - 4.5, double(k / 100)},
+                 .radius = 0.5 * radius});
+        simulation.add(bodies);
+        simulation.advance(400);
+        return simulation;
+    };
+    Simulation here = set_up(EngineKind::cpu), there = set_up(kind());
+    EXPECT_LT(largest_distance(spheres(here), spheres(there)), 1e-8 * radius);
+    EXPECT_EQ(here.counts().contacts, there.counts().contacts);
+}
+
+TEST_F(CudaEngine, SaysWhatItCannotDo)
+{
+    SimulationOptions options = on(EngineKind::cuda_on_host);
+    options.energy_ledger = true;
+    EXPECT_THROW(Simulation(powder(), options), InputError);
+    contact::Model model = powder();
+    model.pairs.pop_back(), model.pairs.pop_back(); // powder meets no steel
+    Simulation simulation(model, on(EngineKind::cuda_on_host));
+    simulation.add(Body{.position = {}, .radius = radius});
+    EXPECT_THROW(
+        simulation.add(Wall{.shape = Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}, .material = MaterialId{1}}),
+        InputError);
+    if (!cuda::has_cuda_device()) {
+        EXPECT_THROW(Simulation(powder(), on(EngineKind::cuda)), InputError);
+    }
+}
+
+} // namespace
