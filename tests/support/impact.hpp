@@ -70,8 +70,8 @@ inline Collision hit_plane(contact::Model const& model, Sphere const& sphere, do
                              .material = dem::MaterialId{sphere.material},
                              .velocity = sphere.velocity,
                              .spin = sphere.spin});
-    simulation.add(
-        dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1e6, 1e6}, .material = dem::MaterialId{wall_material}});
+    simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1e6, 1e6},
+                             .material = dem::MaterialId{wall_material}});
     return collide(simulation, true);
 }
 
