@@ -1,6 +1,6 @@
 // Speed of the engine for CUDA devices: batches of a prepared state, beside the engine on one core.
-#include "src/dem/params.hpp"
 #include "src/dem/cuda/batch.hpp"
+#include "src/dem/params.hpp"
 #include "tests/bench/replica.hpp"
 
 #include <chrono>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/dem/params.hpp"
 #include "src/dem/cpu/state.hpp"
+#include "src/dem/params.hpp"
 
 #include <memory>
 

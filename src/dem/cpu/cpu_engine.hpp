@@ -66,7 +66,7 @@ class CpuEngine final : public Engine
     std::shared_ptr<Params const> params_;
     State state_;
     MaterialsPresent materials_;
-    std::optional<Seen> seen_;             //!< none: the last step says it
+    std::optional<Seen> seen_; //!< none: the last step says it
     std::unique_ptr<Partition> partition_;
     std::unique_ptr<EnergyAccounts> accounts_;
     NeighbourSearch search_;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "demens/dem/energy.hpp"
-#include "src/dem/params.hpp"
 #include "src/dem/cpu/state.hpp"
+#include "src/dem/params.hpp"
 
 #include <memory>
 

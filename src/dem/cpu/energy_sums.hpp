@@ -2,8 +2,8 @@
 
 #include "demens/dem/energy.hpp"
 #include "demens/dem/state_view.hpp"
-#include "src/dem/params.hpp"
 #include "src/dem/cpu/state.hpp"
+#include "src/dem/params.hpp"
 
 namespace demens::dem {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "demens/dem/state_record.hpp"
-#include "src/dem/params.hpp"
 #include "src/dem/cpu/state.hpp"
+#include "src/dem/params.hpp"
 
 namespace demens::dem {
 

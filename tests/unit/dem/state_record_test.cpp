@@ -45,13 +45,14 @@ dem::SimulationOptions options(bool periodic, bool ledger, dem::Team* team = nul
 dem::Simulation settling_bed(dem::SimulationOptions const& options)
 {
     dem::Simulation simulation(model(), options);
-    auto const floor =
-        simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 0.1, 0.1}, .material = dem::MaterialId{1}});
+    auto const floor = simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 0.1, 0.1},
+                                                .material = dem::MaterialId{1}});
     simulation.move(floor, {dem::WallMotion{dem::Shake{{0, 0, 2e-4}, 50, 0.3}, 2e-3},
                             dem::WallMotion{dem::Translate{{0.01, 0, 0}}, 0, 0.01}});
     simulation.add(dem::Wall{.shape = dem::Cylinder{{}, {0, 0, 1}, 0.1, 0.015}, .spin = {0, 0, 3}});
-    auto const belt = simulation.add(
-        dem::Wall{.shape = dem::Rectangle{{0, -0.009, 0}, {0, 0, 1}, {1, 0, 0}, 0.1, 0.1}, .material = dem::MaterialId{1}});
+    auto const belt =
+        simulation.add(dem::Wall{.shape = dem::Rectangle{{0, -0.009, 0}, {0, 0, 1}, {1, 0, 0}, 0.1, 0.1},
+                                 .material = dem::MaterialId{1}});
     simulation.move(belt, dem::WallVelocity{.belt = {0.1, 0, 0}});
     auto const mesh = std::make_shared<shape::TriangleMesh const>(
         shape::box_triangles({-0.004, 0.008, -1e-3}, {0.004, 0.012, 0.01}));
