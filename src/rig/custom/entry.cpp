@@ -1,5 +1,6 @@
 #include "src/rig/custom/entry.hpp"
 
+#include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
 #include "demens/observe/surface.hpp"
 #include "src/rig/common.hpp"
@@ -281,6 +282,7 @@ void check_places(Setup const& setup)
 
 void enter(Bench& bench, Setup const& setup, std::size_t stage)
 {
+    DEMENS_EXPECT(stage < setup.stages.size(), "a stage of the bench");
     bench.progress.groups.resize(setup.groups.size());
     for (std::size_t g = 0; g < setup.groups.size(); ++g) {
         if (setup.groups[g].stage != stage)
@@ -290,7 +292,9 @@ void enter(Bench& bench, Setup const& setup, std::size_t stage)
         dem::BodyBatch batch;
         for (auto const& body : bodies_of(look, setup, g))
             batch.push_back({body.place, body.radius, material, body.velocity, body.spin});
-        bench.progress.groups[g].ids = bench.simulation.add(batch);
+        auto& ids = bench.progress.groups[g].ids;
+        DEMENS_EXPECT(ids.size() == 0, "a group enters once");
+        ids = bench.simulation.add(batch);
     }
 }
 

@@ -1,9 +1,9 @@
 #include "demens/rig/programme/programme_run.hpp"
 
+#include "demens/base/contract.hpp"
 #include "src/rig/programme/memory.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 namespace demens::rig {
 namespace {
@@ -13,7 +13,7 @@ auto const& find_named(std::vector<Named> const& all, std::string const& name)
 {
     auto const found =
         std::find_if(all.begin(), all.end(), [&](Named const& one) { return one.name == name; });
-    assert(found != all.end());
+    DEMENS_EXPECT(found != all.end(), "a name that the programme has");
     return *found;
 }
 
@@ -22,12 +22,13 @@ auto const& find_named(std::vector<Named> const& all, std::string const& name)
 std::vector<double> const& Series::column(std::string const& name) const
 {
     auto const found = std::find(names.begin(), names.end(), name);
-    assert(found != names.end());
+    DEMENS_EXPECT(found != names.end(), "a reading of the programme");
     return columns[static_cast<std::size_t>(found - names.begin())];
 }
 
 std::vector<double> Progress::column_in(std::size_t number, std::string const& name) const
 {
+    DEMENS_EXPECT(number < rows.size(), "a stage of the programme");
     auto const& column = series.column(name);
     return {column.begin() + static_cast<std::ptrdiff_t>(rows[number].first),
             column.begin() + static_cast<std::ptrdiff_t>(rows[number].end)};

@@ -1,5 +1,6 @@
 #include "demens/rig/programme/programme_run.hpp"
 
+#include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
 
 #include <algorithm>
@@ -36,6 +37,7 @@ void add_to(Progress::Average& average, ProfileReading::Points const& points)
     if (average.axis.empty())
         average = {points.axis, std::vector<double>(points.axis.size()),
                    std::vector<double>(points.axis.size())};
+    DEMENS_EXPECT(points.values.size() == average.sum.size(), "a profile keeps its axis");
     for (std::size_t k = 0; k < average.sum.size(); ++k)
         if (std::isfinite(points.values[k])) {
             average.sum[k] += points.values[k];
@@ -61,11 +63,37 @@ void check_fits(Programme const& programme, Progress const& progress)
         throw InputError("what was kept of a run is of one with other stages, readings or responses");
 }
 
+template <class Range, class Condition>
+bool all_of(Range const& range, Condition const& condition)
+{
+    return std::all_of(range.begin(), range.end(), condition);
+}
+
+//! With `until` a stage has a latest end, and words for what did not come.
+[[maybe_unused]] bool is_complete(Stage const& stage)
+{
+    bool const may_fail = stage.until && stage.overrun == Overrun::fail;
+    return !stage.name.empty() && stage.shortest >= 0 && stage.longest >= 0 && stage.looks_per_sample >= 0 &&
+           (!may_fail || !stage.waits_for.empty());
+}
+
 } // namespace
 
 ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team)
     : programme_(std::move(programme)), team_(team)
 {
+    DEMENS_EXPECT(programme_.build && programme_.time_step > 0 && programme_.steps_per_look > 0,
+                  "something stands there, and time goes on between two looks at it");
+    DEMENS_EXPECT(all_of(programme_.stages, is_complete), "a stage ends, and says what it waits for");
+    DEMENS_EXPECT(all_of(programme_.readings, [](Reading const& r) { return r.take && !r.name.empty(); }),
+                  "a reading has a name and is taken");
+    DEMENS_EXPECT(
+        all_of(programme_.profiles,
+               [&](ProfileReading const& p) { return p.take && p.stage < programme_.stages.size(); }),
+        "a profile is read in a stage of the programme");
+    DEMENS_EXPECT(all_of(programme_.responses,
+                         [&](Response const& r) { return r.reduce && r.stage < programme_.stages.size(); }),
+                  "a response is made at the end of a stage of the programme");
 }
 
 ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team, RunState const& state)
@@ -82,6 +110,7 @@ ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team, RunState const&
 
 void ProgrammeRun::advance(std::int64_t steps)
 try {
+    DEMENS_EXPECT(steps >= 0, "time goes forwards");
     if (is_over())
         return;
     if (!bench_)
@@ -189,6 +218,7 @@ void ProgrammeRun::sample(Look& look)
     if (!progress.origin)
         progress.origin = look.time();
     auto& columns = progress.series.columns;
+    DEMENS_EXPECT(columns.size() == programme_.readings.size() + 1, "a column for time and one a reading");
     columns[0].push_back(look.time() - *progress.origin);
     for (std::size_t r = 0; r < programme_.readings.size(); ++r)
         columns[r + 1].push_back(programme_.readings[r].take(look));

@@ -37,6 +37,7 @@ TEST(Programme, StagesFollowEachOtherAndAreSampled)
          {.name = "skipped", .needed = [](Look&) { return false; }, .shortest = 1, .looks_per_sample = 1},
          {.name = "b",
           .until = [](Look& look) { return look.particles().place(0).z < -0.1; },
+          .waits_for = "the ball is still above",
           .longest = 1,
           .looks_per_sample = 2}});
     programme.responses = {
