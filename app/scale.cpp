@@ -72,7 +72,7 @@ std::vector<OptionSpec> simulation_keys()
         {.key = "cohesion_kept",
          .default_value = std::string("particle"),
          .doc = "cohesion over the weight of a particle (Bond number) or of the bed",
-         .choices = {"particle", "bed"}},
+         .choices = texts_of(rig::cohesion_kept_words)},
         {.key = "rolling_resistance_s",
          .default_value = -1.0,
          .doc = "-1: such that its dimensionless group is kept [s]",
@@ -120,8 +120,7 @@ rig::ScaleWish wish_of(OptionValues const& o)
             .particle_scale = o.number("particle_scale"),
             .youngs_modulus = o.number("youngs_modulus"),
             .surface_energy = o.number("surface_energy"),
-            .cohesion =
-                o.text("cohesion_kept") == "bed" ? rig::CohesionKept::bed : rig::CohesionKept::particle,
+            .cohesion = read_word(rig::cohesion_kept_words, o.text("cohesion_kept")),
             .rolling_resistance = o.number("rolling_resistance_s"),
             .rayleigh_fraction = o.number("rayleigh_fraction"),
             .time_step = o.number("time_step_s"),

@@ -59,11 +59,11 @@ struct LinearConstraint
 struct DesignOptions
 {
     DesignKind kind = DesignKind::latin_hypercube;
-    int points = 0;                  //!< 0: a default that suits the factors
-    int centre_repetitions = 0;      //!< central composite and Box-Behnken take at least one
-    double axial_distance = 0;       //!< central composite; 0: rotatable, 1: on the faces
-    int levels = 2;                  //!< full factorial; D-optimal: of a factor's candidates, at least 3
-    std::string model = "quadratic"; //!< D-optimal: linear, interaction, quadratic
+    int points = 0;             //!< 0: a default that suits the factors
+    int centre_repetitions = 0; //!< central composite and Box-Behnken take at least one
+    double axial_distance = 0;  //!< central composite; 0: rotatable, 1: on the faces
+    int levels = 2;             //!< full factorial; D-optimal: of a factor's candidates, at least 3
+    PolynomialModel model = PolynomialModel::quadratic; //!< D-optimal
     std::vector<std::string>
         generators; //!< fractional factorial and its composite, e.g. "E=ABC"; empty: chosen
     std::vector<std::vector<double>>
@@ -96,7 +96,7 @@ struct ObjectiveOptions
 
 struct SurrogateOptions
 {
-    std::string kind = "auto"; //!< quadratic, rbf, gaussian_process, auto
+    SurrogateChoice kind = SurrogateChoice::automatic;
 };
 
 struct SearchOptions

@@ -92,7 +92,7 @@ std::vector<Factor> read_factors(InputTable const& file, BaseInput& base,
         if (factor.name.empty())
             factor.name = resolved.spec.key;
         check_name(table, "name", factor.name);
-        factor.log_scale = values.text("scale") == "log";
+        factor.log_scale = *find_word<FactorScale>(values.text("scale")) == FactorScale::log;
         read_range(table, values, factor);
         check_bounds(table, factor, resolved.spec);
         factor.inactive_value = values.number("inactive_value");

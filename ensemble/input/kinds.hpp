@@ -35,6 +35,30 @@ enum class TransformKind
     asinh
 };
 
+//! What stands in for each response between the runs.
+enum class SurrogateChoice
+{
+    quadratic, //!< polynomials up to it
+    rbf,
+    gaussian_process,
+    automatic //!< the one that predicts best what is left out
+};
+
+//! Which products of the factors a polynomial holds.
+enum class PolynomialModel
+{
+    linear,      //!< constant and main effects
+    interaction, //!< and products of two factors
+    quadratic    //!< and squares
+};
+
+//! Whether equal steps or equal ratios of a factor count the same.
+enum class FactorScale
+{
+    linear,
+    log
+};
+
 //! How the points of the next waves are chosen.
 enum class SearchKind
 {
@@ -94,6 +118,32 @@ inline std::vector<Word<ensemble::TransformKind>> const& words_of()
     using enum ensemble::TransformKind;
     static std::vector<Word<ensemble::TransformKind>> const words = {
         {none, "none"}, {log, "log"}, {logit, "logit"}, {asinh, "asinh"}};
+    return words;
+}
+
+template <>
+inline std::vector<Word<ensemble::SurrogateChoice>> const& words_of()
+{
+    using enum ensemble::SurrogateChoice;
+    static std::vector<Word<ensemble::SurrogateChoice>> const words = {
+        {quadratic, "quadratic"}, {rbf, "rbf"}, {gaussian_process, "gaussian_process"}, {automatic, "auto"}};
+    return words;
+}
+
+template <>
+inline std::vector<Word<ensemble::PolynomialModel>> const& words_of()
+{
+    using enum ensemble::PolynomialModel;
+    static std::vector<Word<ensemble::PolynomialModel>> const words = {
+        {linear, "linear"}, {interaction, "interaction"}, {quadratic, "quadratic"}};
+    return words;
+}
+
+template <>
+inline std::vector<Word<ensemble::FactorScale>> const& words_of()
+{
+    using enum ensemble::FactorScale;
+    static std::vector<Word<ensemble::FactorScale>> const words = {{linear, "linear"}, {log, "log"}};
     return words;
 }
 

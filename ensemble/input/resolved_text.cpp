@@ -134,7 +134,7 @@ void write_factor(Writer& out, Factor const& factor)
     values.set("name", factor.name);
     values.set("lower", factor.lower);
     values.set("upper", factor.upper);
-    values.set("scale", std::string(factor.log_scale ? "log" : "linear"));
+    values.set("scale", std::string(word_for(factor.log_scale ? FactorScale::log : FactorScale::linear)));
     values.set("inactive_value", factor.inactive_value);
     out.options(factor_options(), values);
     if (!factor.levels.empty())

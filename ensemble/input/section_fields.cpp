@@ -18,9 +18,8 @@ std::vector<Field<DesignOptions>> const& fields_of()
                .lower = 0}),
         field(&DesignOptions::levels,
               {.key = "levels", .doc = "levels of each factor, or of its candidates", .lower = 2}),
-        field(&DesignOptions::model, {.key = "model",
-                                      .doc = "polynomial whose coefficients are to be found",
-                                      .choices = {"linear", "interaction", "quadratic"}}),
+        field(&DesignOptions::model,
+              {.key = "model", .doc = "polynomial whose coefficients are to be found"}),
         field(&DesignOptions::table_file,
               {.key = "table_file",
                .doc = "CSV file with a column for each factor and a row for each design point",
@@ -61,9 +60,7 @@ template <>
 std::vector<Field<SurrogateOptions>> const& fields_of()
 {
     static std::vector<Field<SurrogateOptions>> const fields = {
-        field(&SurrogateOptions::kind, {.key = "kind",
-                                        .doc = "model of each response between the runs",
-                                        .choices = {"quadratic", "rbf", "gaussian_process", "auto"}}),
+        field(&SurrogateOptions::kind, {.key = "kind", .doc = "model of each response between the runs"}),
     };
     return fields;
 }

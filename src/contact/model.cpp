@@ -1,13 +1,15 @@
 #include "demens/contact/model.hpp"
 
-#include "demens/base/error.hpp"
+#include "demens/base/words.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace demens::contact {
 namespace {
 
-std::vector<std::string> const friction_limit_names = {"elastic", "whole"};
+constexpr std::array<Word<FrictionLimit>, 2> friction_limit_words = {
+    {{FrictionLimit::elastic, "elastic"}, {FrictionLimit::whole, "whole"}}};
 
 template <class Words>
 std::vector<std::string> texts_of(Words const& words)
@@ -147,7 +149,7 @@ std::vector<OptionSpec> const& pair_options()
          .doc =
              "normal force of `hertz` that limits friction and rolling: `elastic`, without the damping, or "
              "`whole`, with it",
-         .choices = friction_limit_names},
+         .choices = demens::texts_of(friction_limit_words)},
         {.key = "cohesion_in_limit",
          .default_value = false,
          .doc =
@@ -186,8 +188,7 @@ PairProperties make_pair(std::string first, std::string second, OptionValues con
     pair.surface_tension = coefficient(values, "surface_tension");
     pair.bridge_volume = coefficient(values, "bridge_volume");
     pair.contact_angle_deg = values.number("contact_angle_deg");
-    pair.friction_limit =
-        values.text("friction_limit") == "whole" ? FrictionLimit::whole : FrictionLimit::elastic;
+    pair.friction_limit = read_word(friction_limit_words, values.text("friction_limit"));
     pair.cohesion_in_limit = values.flag("cohesion_in_limit");
     if (pair.kinetic_friction > pair.static_friction)
         throw InputError(

@@ -257,7 +257,7 @@ Design plan_d_optimal(Request const& request)
     std::vector<std::size_t> level_counts; // of two levels the square is a constant
     for (auto const& factor : space.factors())
         level_counts.push_back(factor.levels.size());
-    auto const model = polynomial_terms(polynomial_model(options.model), columns_of_factors(level_counts));
+    auto const model = polynomial_terms(options.model, columns_of_factors(level_counts));
     DOptimalOptions search;
     search.kept = rows_of_table(request);
     search.levels = std::max(options.levels, 3);

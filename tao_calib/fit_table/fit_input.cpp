@@ -50,9 +50,9 @@ std::vector<OptionSpec> const fit_options = {
      .doc = "file of comma-separated values",
      .required = true},
     {.key = "model",
-     .default_value = std::string("quadratic"),
+     .default_value = std::string(word_for(PolynomialModel::quadratic)),
      .doc = "terms to begin with",
-     .choices = {"linear", "interaction", "quadratic"}},
+     .choices = texts_of<PolynomialModel>()},
     {.key = "selection",
      .default_value = std::string("backward"),
      .doc = "how terms are left out",
@@ -142,7 +142,7 @@ FitInput FitInput::from_text(std::string const& toml, std::string const& origin)
     FitInput input;
     input.origin = origin;
     input.table = std::filesystem::path(origin).parent_path() / options.text("table");
-    input.model = polynomial_model(options.text("model"));
+    input.model = *find_word<PolynomialModel>(options.text("model"));
     input.eliminate = options.text("selection") == "backward";
     input.elimination = {options.number("alpha"),
                          options.text("hierarchy") == "strict" ? Hierarchy::strict : Hierarchy::products,

@@ -1,7 +1,5 @@
 #include "tao_calib/regression/terms.hpp"
 
-#include "demens/base/error.hpp"
-
 #include <fmt/format.h>
 #include <numeric>
 
@@ -40,18 +38,6 @@ std::string Term::name(std::vector<std::string> const& factors) const
             text += fmt::format("^{}", exponents[k]);
     }
     return text.empty() ? "constant" : text;
-}
-
-PolynomialModel polynomial_model(std::string const& name)
-{
-    if (name == "linear")
-        return PolynomialModel::linear;
-    if (name == "interaction")
-        return PolynomialModel::interaction;
-    if (name == "quadratic")
-        return PolynomialModel::quadratic;
-    throw InputError(
-        fmt::format("model = \"{}\" is not known; known are linear, interaction, quadratic", name));
 }
 
 std::vector<Term> polynomial_terms(PolynomialModel model, int factors)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ensemble/input/kinds.hpp"
+
 #include <Eigen/Core>
 #include <string>
 #include <vector>
@@ -21,16 +23,7 @@ struct Term
     bool operator==(Term const&) const = default;
 };
 
-//! Which products of the factors a polynomial holds.
-enum class PolynomialModel
-{
-    linear,      //!< constant and main effects
-    interaction, //!< and products of two factors
-    quadratic    //!< and squares
-};
-
-//! \throws InputError for a word that names none.
-PolynomialModel polynomial_model(std::string const& name);
+using ensemble::PolynomialModel;
 
 //! Constant, main effects, products, squares; in the order of the factors.
 std::vector<Term> polynomial_terms(PolynomialModel model, int factors);

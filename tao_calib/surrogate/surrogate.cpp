@@ -1,15 +1,11 @@
 #include "tao_calib/surrogate/surrogate.hpp"
 
-#include "demens/base/error.hpp"
 #include "tao_calib/surrogate/gaussian_process.hpp"
 #include "tao_calib/surrogate/polynomial.hpp"
 #include "tao_calib/surrogate/radial_basis.hpp"
 
 #include <cmath>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <limits>
-#include <map>
 
 namespace demens::tao_calib {
 
@@ -82,33 +78,21 @@ std::unique_ptr<Surrogate> fit_best(Samples const& samples)
     return best;
 }
 
-std::map<std::string, std::unique_ptr<Surrogate> (*)(Samples const&)> const fits = {
-    {"auto", fit_best},
-    {"gaussian_process", fit_gaussian_process},
-    {"quadratic", fit_polynomial},
-    {"rbf", fit_radial_basis},
-};
-
 } // namespace
 
-std::vector<std::string> const& surrogate_kinds()
+std::unique_ptr<Surrogate> fit_surrogate(SurrogateChoice choice, Samples const& samples)
 {
-    static std::vector<std::string> const kinds = [] {
-        std::vector<std::string> words;
-        for (auto const& [word, fit] : fits)
-            words.push_back(word);
-        return words;
-    }();
-    return kinds;
-}
-
-std::unique_ptr<Surrogate> fit_surrogate(std::string const& kind, Samples const& samples)
-{
-    auto const found = fits.find(kind);
-    if (found == fits.end())
-        throw InputError(fmt::format("[surrogate] kind = \"{}\" is not known; known are {}", kind,
-                                     fmt::join(surrogate_kinds(), ", ")));
-    return found->second(samples);
+    switch (choice) {
+    case SurrogateChoice::quadratic:
+        return fit_polynomial(samples);
+    case SurrogateChoice::rbf:
+        return fit_radial_basis(samples);
+    case SurrogateChoice::gaussian_process:
+        return fit_gaussian_process(samples);
+    case SurrogateChoice::automatic:
+        break;
+    }
+    return fit_best(samples);
 }
 
 } // namespace demens::tao_calib

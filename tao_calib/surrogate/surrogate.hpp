@@ -1,11 +1,15 @@
 #pragma once
 
+#include "ensemble/input/kinds.hpp"
+
 #include <Eigen/Core>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace demens::tao_calib {
+
+using ensemble::SurrogateChoice;
 
 //! What a surrogate is fitted to: one location a row, none twice.
 struct Samples
@@ -58,11 +62,8 @@ double leave_one_out_rmse(Surrogate const& surrogate, Samples const& samples);
 //! w_i runs has the w_i-th part of its variance.
 double single_run_error(Surrogate const& surrogate, Samples const& samples);
 
-//! Words that `[surrogate] kind` may be.
-std::vector<std::string> const& surrogate_kinds();
-
-//! Fits the surrogate of that name, or a simpler one where the samples do not suffice. "auto" takes the one
+//! Fits what was chosen, or a simpler surrogate where the samples do not suffice; `automatic` takes the one
 //! with the smallest leave-one-out error.
-std::unique_ptr<Surrogate> fit_surrogate(std::string const& kind, Samples const& samples);
+std::unique_ptr<Surrogate> fit_surrogate(SurrogateChoice choice, Samples const& samples);
 
 } // namespace demens::tao_calib

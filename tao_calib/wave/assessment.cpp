@@ -55,7 +55,8 @@ Assessment::Assessment(ensemble::Campaign const& campaign, LeastSquaresSolver co
 {
     if (locations_.complete() < locations_needed(cube_.size()))
         return;
-    if (campaign.input.surrogate.kind != "quadratic") // the one kind whose cost grows with the runs alone
+    if (campaign.input.surrogate.kind !=
+        SurrogateChoice::quadratic) // the one kind whose cost grows with the runs alone
         chosen_ = locations_.best_and_spread(most_fitted_locations);
     for (int t = 0; t < objective_.size(); ++t) {
         samples_.push_back(locations_.samples(t, chosen_));

@@ -23,7 +23,7 @@ std::vector<std::unique_ptr<Surrogate>> local_quadratics(Assessment const& asses
             double const distance = (samples.points.row(i).transpose() - centre).norm() / reach;
             samples.weights[i] *= std::max(std::exp(-0.5 * distance * distance), 1e-3);
         }
-        fits.push_back(fit_surrogate("quadratic", samples));
+        fits.push_back(fit_surrogate(SurrogateChoice::quadratic, samples));
     }
     return fits;
 }

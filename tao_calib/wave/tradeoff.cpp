@@ -61,7 +61,7 @@ std::vector<Witness> witnesses(ensemble::Campaign const& campaign, Assessment co
         auto const samples = locations.samples(static_cast<int>(t), assessment.chosen_locations());
         if (samples.values.size() < Assessment::locations_needed(assessment.cube().size()))
             continue;
-        auto const fit = fit_surrogate("rbf", samples);
+        auto const fit = fit_surrogate(SurrogateChoice::rbf, samples);
         VectorXd values(known.draws.rows());
         for (Index i = 0; i < values.size(); ++i)
             values[i] = fit->value(known.draws.row(i).transpose());

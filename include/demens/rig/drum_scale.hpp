@@ -1,8 +1,10 @@
 #pragma once
 
+#include "demens/base/words.hpp"
 #include "demens/contact/model.hpp"
 #include "demens/shape/size_distribution.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,8 @@ enum class CohesionKept
     particle, //!< pull-off force over a particle's weight, the Bond number
     bed       //!< strength of the bed over the pressure of its weight
 };
+inline constexpr std::array<Word<CohesionKept>, 2> cohesion_kept_words = {
+    {{CohesionKept::particle, "particle"}, {CohesionKept::bed, "bed"}}};
 
 //! What a drum simulation is to be like; the rest follows from the real drum.
 struct ScaleWish

@@ -102,7 +102,7 @@ int with_polynomial(TestFunction const& function, double enough, std::uint64_t s
             samples.values.resize(n);
             for (int i = 0; i < n; ++i)
                 samples.values[i] = function.responses(samples.points.row(i).transpose())[t];
-            fits.push_back(fit_surrogate("quadratic", samples));
+            fits.push_back(fit_surrogate(tao_calib::SurrogateChoice::quadratic, samples));
         }
         LeastSquaresProblem const problem{k, function.size(), [&](VectorXd const& unit) {
                                               VectorXd values(function.size());
@@ -156,7 +156,7 @@ int with_demens(std::string const& way, std::string const& surrogate, TestFuncti
     else
         input.solver.kind = *find_word<ensemble::SolverKind>(way);
     if (!surrogate.empty())
-        input.surrogate.kind = surrogate;
+        input.surrogate.kind = *find_word<ensemble::SurrogateChoice>(surrogate);
     input.stop.runs = most;
     input.stop.waves = 1000;
     input.stop.no_improvement_waves = 1000;

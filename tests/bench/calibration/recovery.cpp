@@ -46,7 +46,7 @@ int main(std::vector<std::string> const& arguments)
             error = normal(random);
         auto stand_in = draw_down_campaign(truth, errors, static_cast<std::uint64_t>(c));
         if (arguments.size() > 1)
-            stand_in.campaign.input.surrogate.kind = arguments[1];
+            stand_in.campaign.input.surrogate.kind = *find_word<ensemble::SurrogateChoice>(arguments[1]);
         stand_in.run_to_the_end();
 
         Assessment const assessment(stand_in.campaign, pounders());

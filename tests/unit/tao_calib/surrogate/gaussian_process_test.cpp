@@ -112,9 +112,9 @@ TEST(GaussianProcess, FindsWhichFactorsActAndHowFast)
 TEST(GaussianProcess, PredictsASmoothResponseBetterThanAQuadratic)
 {
     auto const samples = sampled(30, 3, wavy);
-    auto const process = fit_surrogate("gaussian_process", samples);
+    auto const process = fit_surrogate(SurrogateChoice::gaussian_process, samples);
     EXPECT_EQ(process->kind(), SurrogateKind::gaussian_process);
-    auto const quadratic = fit_surrogate("quadratic", samples);
+    auto const quadratic = fit_surrogate(SurrogateChoice::quadratic, samples);
     EXPECT_LT(leave_one_out_rmse(*process, samples), 0.5 * leave_one_out_rmse(*quadratic, samples));
     auto const tested = sampled(50, 3, wavy, 9);
     double error = 0, stated = 0;
@@ -161,16 +161,17 @@ TEST(AutomaticChoice, TakesWhatPredictsLeftOutLocationsBest)
     // A quadratic is one; a fast wave is best followed by a process with a length of its own for each factor.
     auto const quadratic =
         sampled(20, 2, [](VectorXd const& x) { return 1 + x[0] * x[1] - 2 * x[0] * x[0]; });
-    EXPECT_EQ(fit_surrogate("auto", quadratic)->kind(), SurrogateKind::quadratic);
+    EXPECT_EQ(fit_surrogate(SurrogateChoice::automatic, quadratic)->kind(), SurrogateKind::quadratic);
     auto const wave = sampled(30, 2, [](VectorXd const& x) { return std::sin(8 * x[0]) + 0.1 * x[1]; });
-    auto const chosen = fit_surrogate("auto", wave);
-    for (char const* kind : {"quadratic", "rbf", "gaussian_process"})
-        EXPECT_LE(leave_one_out_rmse(*chosen, wave), leave_one_out_rmse(*fit_surrogate(kind, wave), wave))
-            << kind;
+    auto const chosen = fit_surrogate(SurrogateChoice::automatic, wave);
+    for (auto const choice :
+         {SurrogateChoice::quadratic, SurrogateChoice::rbf, SurrogateChoice::gaussian_process})
+        EXPECT_LE(leave_one_out_rmse(*chosen, wave), leave_one_out_rmse(*fit_surrogate(choice, wave), wave))
+            << word_for(choice);
     EXPECT_EQ(chosen->kind(), SurrogateKind::gaussian_process);
     // A response that is the same everywhere has nothing to choose between.
     auto const same = sampled(10, 2, [](VectorXd const&) { return 2.0; });
-    EXPECT_EQ(fit_surrogate("auto", same)->kind(), SurrogateKind::constant);
+    EXPECT_EQ(fit_surrogate(SurrogateChoice::automatic, same)->kind(), SurrogateKind::constant);
 }
 
 } // namespace

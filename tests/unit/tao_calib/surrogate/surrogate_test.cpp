@@ -62,11 +62,14 @@ TEST(Polynomial, HasTheGradientOfItsValue)
 TEST(Polynomial, TakesFewerTermsWhereRunsAreFew)
 {
     auto const plane = [](VectorXd const& x) { return 1 + 2 * x[0] - x[1] + 0.5 * x[2] * x[2]; };
-    EXPECT_EQ(fit_surrogate("quadratic", sampled(30, 3, wavy))->kind(), SurrogateKind::quadratic);
-    EXPECT_EQ(fit_surrogate("quadratic", sampled(9, 3, plane))->kind(), SurrogateKind::linear_and_squares);
-    EXPECT_EQ(fit_surrogate("quadratic", sampled(6, 3, plane))->kind(), SurrogateKind::linear);
-    EXPECT_EQ(fit_surrogate("quadratic", sampled(3, 3, plane))->kind(), SurrogateKind::constant);
-    EXPECT_EQ(fit_surrogate("rbf", sampled(4, 3, plane))->kind(), SurrogateKind::constant);
+    EXPECT_EQ(fit_surrogate(SurrogateChoice::quadratic, sampled(30, 3, wavy))->kind(),
+              SurrogateKind::quadratic);
+    EXPECT_EQ(fit_surrogate(SurrogateChoice::quadratic, sampled(9, 3, plane))->kind(),
+              SurrogateKind::linear_and_squares);
+    EXPECT_EQ(fit_surrogate(SurrogateChoice::quadratic, sampled(6, 3, plane))->kind(), SurrogateKind::linear);
+    EXPECT_EQ(fit_surrogate(SurrogateChoice::quadratic, sampled(3, 3, plane))->kind(),
+              SurrogateKind::constant);
+    EXPECT_EQ(fit_surrogate(SurrogateChoice::rbf, sampled(4, 3, plane))->kind(), SurrogateKind::constant);
 }
 
 TEST(Polynomial, StatesTheStandardErrorOfAMean)

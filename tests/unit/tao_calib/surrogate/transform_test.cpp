@@ -42,9 +42,10 @@ TEST(TransformedSurrogate, HasTheGradientOfItsValueAndErrorsInItsOwnUnit)
 {
     auto const samples = sampled(25, 3, [](VectorXd const& x) { return std::exp(1 + wavy(x)); });
     auto const transform = Transform::logarithm(1);
-    TransformedSurrogate const fit(transform, fit_surrogate("rbf", transformed(transform, samples)), samples);
+    TransformedSurrogate const fit(
+        transform, fit_surrogate(SurrogateChoice::rbf, transformed(transform, samples)), samples);
     expect_gradient_matches_differences(fit, 3);
-    auto const plain = fit_surrogate("rbf", transformed(transform, samples));
+    auto const plain = fit_surrogate(SurrogateChoice::rbf, transformed(transform, samples));
     double const predicted = std::log(samples.values[4]) - plain->leave_one_out_errors()[4];
     EXPECT_NEAR(fit.leave_one_out_errors()[4], samples.values[4] - std::exp(predicted), 1e-12);
 }
@@ -56,9 +57,9 @@ TEST(TransformedSurrogate, KeepsAJamFromSpoilingTheRest)
     auto const flow = [](VectorXd const& x) { return x[0] > 0.7 ? -60.0 : 5 - 3 * x[0] * x[0]; };
     auto const samples = sampled(25, 1, flow, 3);
     auto const transform = Transform::area_sine(4, 0.3);
-    TransformedSurrogate const bent(transform, fit_surrogate("rbf", transformed(transform, samples)),
-                                    samples);
-    auto const plain = fit_surrogate("rbf", samples);
+    TransformedSurrogate const bent(
+        transform, fit_surrogate(SurrogateChoice::rbf, transformed(transform, samples)), samples);
+    auto const plain = fit_surrogate(SurrogateChoice::rbf, samples);
     double bent_error = 0, plain_error = 0;
     for (double x : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}) {
         VectorXd const point{{x}};

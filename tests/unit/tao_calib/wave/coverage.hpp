@@ -72,7 +72,7 @@ inline Coverage coverage(std::string const& surrogate, int replicates, int campa
                                           std::numeric_limits<double>::quiet_NaN()});
         }
         input.experiments = {experiment};
-        input.surrogate.kind = surrogate;
+        input.surrogate.kind = *find_word<ensemble::SurrogateChoice>(surrogate);
         input.design.points = points;
         input.stop.waves = waves;
         input.stop.runs = 100000;

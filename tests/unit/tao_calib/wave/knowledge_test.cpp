@@ -17,7 +17,7 @@ StandIn design_of(StandIn::Formula const& formula, rig::RigInfo const& rig,
     StandIn stand_in(formula, std::vector<double>(rig.responses.size(), 0.0));
     auto& input = stand_in.campaign.input;
     input.factors = {{"a", "a", 0.0, 1.0}, {"b", "b", 0.0, 1.0}};
-    input.surrogate.kind = "gaussian_process";
+    input.surrogate.kind = ensemble::SurrogateChoice::gaussian_process;
     ensemble::Experiment experiment;
     experiment.name = "bench";
     experiment.rig = &rig;

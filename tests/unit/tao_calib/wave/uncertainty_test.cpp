@@ -291,7 +291,7 @@ TEST(FactorUncertainty, DoesNotUseASurrogateThatIsNoBetterThanTheMean)
                                   },
                                   rig, {0.5, 0.7}, 0.05)
                                   .campaign.input;
-    stand_in.campaign.input.surrogate.kind = "quadratic";
+    stand_in.campaign.input.surrogate.kind = ensemble::SurrogateChoice::quadratic;
     stand_in.campaign.input.design.points = 40;
     stand_in.campaign.input.factors = {{"a", "a", 0.0, 1.0}};
     stand_in.advance();
