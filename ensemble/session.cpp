@@ -45,6 +45,7 @@ struct Session::Implementation
         });
         on_all(communicator, [&] { presence = std::make_unique<PresenceMark>(file); });
         campaign = std::make_unique<Campaign>(read_for_all(communicator, file, options.rigs));
+        on_all(communicator, [&] { require_engine(campaign->input.run); });
         groups = std::make_unique<Groups>(communicator, campaign->input.run.ranks_per_group);
         if (is_root() && (campaign->waves.empty() || is_complete(campaign->waves.back())))
             parts.remove(); // left over from a kill between a gather and its tidying up

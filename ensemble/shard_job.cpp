@@ -39,6 +39,7 @@ WaveEnd run_shards(MPI_Comm parent, std::filesystem::path const& file, int task,
     if (campaign.waves.empty() || is_complete(campaign.waves.back()))
         return WaveEnd::complete;
     auto const& wave = campaign.waves.back();
+    on_all(communicator, [&] { require_engine(campaign.input.run); });
     Groups const groups(communicator, campaign.input.run.ranks_per_group);
     Parts const parts(file);
     std::unique_ptr<Journal> journal;

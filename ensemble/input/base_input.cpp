@@ -67,6 +67,7 @@ rig::RunInput make_run_input(BaseInput base, std::vector<double> const& factor_v
     input.experiment = base.experiments.at(static_cast<std::size_t>(experiment));
     input.seed = seed;
     input.files = base.files;
+    input.engine = base.engine;
     return input;
 }
 

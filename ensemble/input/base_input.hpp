@@ -61,6 +61,7 @@ struct BaseInput
     std::vector<std::vector<ScalarPlace>> factor_places; //!< one entry a factor
 
     rig::Files files; //!< that the experiments name
+    rig::EngineChoice engine = rig::EngineChoice::cpu;
 
     void set(ScalarPlace const& place, double value);
     std::vector<std::string> material_names() const;

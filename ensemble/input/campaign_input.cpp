@@ -70,6 +70,7 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     read_section(file.table("solver"), {}, campaign.solver);
     read_section(file.table("stop"), {}, campaign.stop);
     read_section(file.table("run"), {}, campaign.run);
+    tree->engine = campaign.run.engine;
 
     input::check_sections(file, campaign);
     input::check_rigs(campaign, *tree, experiment_tables);

@@ -126,6 +126,7 @@ struct RunOptions
 {
     int ranks_per_group = 1;
     double run_wall_time_s = 0; //!< a run slower than this is `timed_out`; 0: no limit
+    rig::EngineChoice engine = rig::EngineChoice::cpu;
 };
 
 //! What `rig = "..."` in a campaign may name.

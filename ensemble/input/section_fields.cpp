@@ -127,6 +127,10 @@ std::vector<Field<RunOptions>> const& fields_of()
         field(&RunOptions::run_wall_time_s, {.key = "run_wall_time_s",
                                              .doc = "a slower run counts as timed out [s]; 0: no limit",
                                              .lower = 0}),
+        field(&RunOptions::engine,
+              {.key = "engine",
+               .doc = "what computes a run: this machine's processors, a CUDA device, or a device where "
+                      "there is one that can do it; each gives other packings"}),
     };
     return fields;
 }

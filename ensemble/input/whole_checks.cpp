@@ -154,6 +154,12 @@ std::string refusal(CampaignInput const& input, BaseInput const& base, std::size
 
 void check_sections(InputTable const& file, CampaignInput const& input)
 {
+    bool const on_device =
+        input.run.engine == rig::EngineChoice::cuda || input.run.engine == rig::EngineChoice::cuda_on_host;
+    if (on_device && input.run.ranks_per_group > 1)
+        throw file.table("run").error("engine",
+                                      "a device has a run to itself; give ranks_per_group = 1, or the "
+                                      "engine \"cpu\" or \"auto\"");
     auto const design = file.table("design");
     check_screening(file.table("screening"), input);
     check_objective(file.table("objective"), input);

@@ -1,6 +1,7 @@
 #include "ensemble/run/wave_runner.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/dem/engine.hpp"
 #include "ensemble/mpi/shared_counters.hpp"
 #include "ensemble/progress.hpp"
 #include "ensemble/run/execute.hpp"
@@ -38,6 +39,14 @@ void wait_patiently(MPI_Request& request)
 }
 
 } // namespace
+
+void require_engine(RunOptions const& run)
+{
+    if (run.engine == rig::EngineChoice::cuda && !dem::is_present(dem::EngineKind::cuda))
+        throw InputError(
+            "run.engine = \"cuda\", and this process sees no CUDA device; start where there is one, "
+            "or make the campaign with \"auto\" or \"cpu\"");
+}
 
 Groups::Groups(MPI_Comm communicator, int ranks_per_group)
 {

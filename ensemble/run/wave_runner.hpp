@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ensemble/file/parts.hpp"
+#include "ensemble/input/campaign_input.hpp"
 #include "ensemble/mpi/agreement.hpp"
 #include "ensemble/mpi/mpi_team.hpp"
 
@@ -10,6 +11,9 @@
 #include <vector>
 
 namespace demens::ensemble {
+
+//! \throws InputError where this process lacks what the runs are to be computed on
+void require_engine(RunOptions const& run);
 
 //! Ranks split into groups of a fixed size; ranks that do not fill a group have none and only help to gather.
 class Groups

@@ -10,7 +10,7 @@ namespace {
 //! A batch of one.
 std::unique_ptr<Engine> make_batch_engine(contact::Model const& model, SimulationOptions const& options)
 {
-    if (options.engine == EngineKind::cuda && !cuda::has_cuda_device())
+    if (!is_present(options.engine))
         throw InputError(
             "the engine \"cuda\" needs a CUDA device, and there is none that this process can use; "
             "use the engine \"cpu\", or \"auto\", which takes a device where there is one");
@@ -20,6 +20,11 @@ std::unique_ptr<Engine> make_batch_engine(contact::Model const& model, Simulatio
 }
 
 } // namespace
+
+bool is_present(EngineKind kind)
+{
+    return kind != EngineKind::cuda || cuda::has_cuda_device();
+}
 
 std::unique_ptr<Engine> make_engine(contact::Model const& model, SimulationOptions const& options)
 {

@@ -65,6 +65,8 @@ class Engine
     virtual SimulationOptions const& options() const = 0;
 };
 
+//! Whether this process has what engines of this kind run on.
+bool is_present(EngineKind kind);
 //! An engine of the kind that the options ask for, with nothing in it. \throws InputError
 std::unique_ptr<Engine> make_engine(contact::Model const& model, SimulationOptions const& options);
 //! One that goes on from a record. \throws InputError where the record does not fit.

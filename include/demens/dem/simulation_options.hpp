@@ -1,5 +1,6 @@
 #pragma once
 
+#include "demens/base/words.hpp"
 #include "demens/contact/model.hpp"
 #include "demens/dem/periods.hpp"
 
@@ -12,7 +13,7 @@ enum class EngineKind
 {
     cpu,         //!< this process, or with a team several
     cuda,        //!< a CUDA device
-    cuda_on_host //!< what runs on such a device, as loops of this process: for tests
+    cuda_on_host //!< what runs on such a device, as loops of this process: slow, for tests
 };
 
 struct SimulationOptions

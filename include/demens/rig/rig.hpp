@@ -5,6 +5,7 @@
 #include "demens/dem/energy.hpp"
 #include "demens/dem/team.hpp"
 #include "demens/observe/snapshot.hpp"
+#include "demens/rig/engine_choice.hpp"
 #include "demens/shape/size_distribution.hpp"
 
 #include <cstdint>
@@ -86,6 +87,7 @@ struct RunInput
     OptionValues experiment; //!< checked values of the rig's options and tables
     std::uint64_t seed = 0;
     Files files = {};
+    EngineChoice engine = EngineChoice::cpu; //!< others give other packings
 };
 
 //! What the caller wants while a run goes on; nothing here but the number of ranks in a team changes the

@@ -48,9 +48,15 @@ dem::StateView const& Look::particles()
 
 RigInfo described(RigInfo rig)
 {
-    auto const describe = rig.describe;
+    auto const describe = [of_rig = rig.describe](RunInput const& input) {
+        auto programme = of_rig(input);
+        programme.engine = input.engine;
+        return programme;
+    };
     rig.warnings = [describe](RunInput const& input) {
         auto const programme = describe(input);
+        if (input.engine == EngineChoice::cuda || input.engine == EngineChoice::cuda_on_host)
+            chosen_engine(input.engine, programme.build(), false);
         check_memory(programme.expected_particles, 1, memory_limit());
         return programme.check ? programme.check() : std::vector<std::string>{};
     };
@@ -59,10 +65,10 @@ RigInfo described(RigInfo rig)
         auto const programme = describe(input);
         return programme.expected_particles * programme.expected_duration / programme.time_step;
     };
-    rig.run = [rig](RunInput const& input, RunHooks const& hooks) {
+    rig.run = [rig, describe](RunInput const& input, RunHooks const& hooks) {
         std::optional<Programme> programme;
         try {
-            programme = rig.describe(input);
+            programme = describe(input);
             check_memory(programme->expected_particles, hooks.team ? hooks.team->size() : 1, memory_limit());
         } catch (std::exception const& error) {
             auto const count = responses_of(rig, input.experiment).size();

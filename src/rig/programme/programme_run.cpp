@@ -102,6 +102,7 @@ ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team, RunState const&
     check_fits(programme_, state.progress);
     Apparatus apparatus = programme_.build();
     apparatus.options.team = team_;
+    apparatus.options.engine = chosen_engine(programme_.engine, apparatus, team_ != nullptr);
     auto const stage = state.progress.model_of;
     auto const& model = stage ? *programme_.stages[*stage].model : apparatus.model;
     bench_.emplace(
@@ -156,6 +157,7 @@ void ProgrammeRun::build()
 {
     Apparatus apparatus = programme_.build();
     apparatus.options.team = team_;
+    apparatus.options.engine = chosen_engine(programme_.engine, apparatus, team_ != nullptr);
     bench_.emplace(Bench{dem::Simulation(apparatus.model, apparatus.options)});
     bench_->simulation.add(apparatus.bodies);
     for (auto const& wall : apparatus.walls)

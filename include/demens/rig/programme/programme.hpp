@@ -87,7 +87,8 @@ struct Programme
     double expected_particles = 1;
     double expected_duration = 0; //!< [s]
     std::uint64_t seed = 0;       //!< of the random numbers that stages draw
-    bool reads_loads = false;     //!< whether forces must be known at the very first look
+    EngineChoice engine = EngineChoice::cpu;
+    bool reads_loads = false; //!< whether forces must be known at the very first look
     std::vector<Stage> stages = {};
     std::vector<Reading> readings = {};
     std::vector<ProfileReading> profiles = {};

@@ -3,6 +3,7 @@
 #include "tests/unit/ensemble/input/test_rigs.hpp"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@ namespace demens::test {
 namespace {
 
 using ensemble::CampaignInput;
+using testing::HasSubstr;
 
 CampaignInput read(std::string const& text)
 {
@@ -52,6 +54,26 @@ TEST(CampaignInput, HoldsWhatTheAuthorWrote)
     EXPECT_FALSE(input.stop.within_tolerance);
     EXPECT_EQ(input.stop.confirmation, 2);
     EXPECT_EQ(input.run.run_wall_time_s, 180);
+}
+
+TEST(CampaignInput, NamesAnEngine)
+{
+    EXPECT_EQ(read(good_campaign()).run.engine, rig::EngineChoice::cpu);
+    auto const with = [](std::string const& engine, int ranks) {
+        return replaced(good_campaign(), "ranks_per_group = 1",
+                        fmt::format("engine = \"{}\"\nranks_per_group = {}", engine, ranks));
+    };
+    EXPECT_EQ(read(with("auto", 2)).run.engine, rig::EngineChoice::automatic);
+    auto const refusal = [&](std::string const& text) -> std::string {
+        try {
+            read(text);
+        } catch (InputError const& error) {
+            return error.what();
+        }
+        return {};
+    };
+    EXPECT_THAT(refusal(with("cuda", 2)), HasSubstr("run.engine = \"cuda\": a device has a run to itself"));
+    EXPECT_THAT(refusal(with("gpu", 1)), HasSubstr("must be one of cpu, cuda, "));
 }
 
 TEST(CampaignInput, AbsentKeysHaveTheirDefaults)

@@ -127,6 +127,46 @@ TEST(ProgrammeRun, AnyPortionsGiveTheSameBitsAndManyAreHeldAtOnce)
     EXPECT_NE(second.result().responses, whole.responses);
 }
 
+TEST(ProgrammeRun, HasTheResponsesOfAnotherEngineToo)
+{
+    // Another engine makes another packing of the same: means of three.
+    auto const& info = *rig::find_rig("drawdown");
+    auto const count = rig::responses_of(info, demens::testing::small_drawdown(1).experiment).size();
+    std::vector<double> here(count), there(count);
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        auto input = demens::testing::small_drawdown(seed);
+        for (auto* sums : {&here, &there}) {
+            input.engine = sums == &here ? rig::EngineChoice::cpu : rig::EngineChoice::cuda_on_host;
+            auto const result = info.run(input, {});
+            ASSERT_EQ(result.status, RunStatus::finished) << result.reason;
+            for (std::size_t r = 0; r < count; ++r)
+                (*sums)[r] += result.responses[r] / 3;
+        }
+    }
+    for (std::size_t r = 0; r < count; ++r)
+        EXPECT_NEAR(there[r], here[r], 0.15 * std::abs(here[r])) << r;
+}
+
+TEST(ProgrammeRun, RefusesWhatAnEngineCannotDoBeforeARun)
+{
+    auto const& info = *rig::find_rig("drawdown");
+    auto input = demens::testing::small_drawdown(1);
+    input.experiment.set("energy_ledger", true);
+    for (auto const engine : {rig::EngineChoice::cpu, rig::EngineChoice::automatic}) {
+        input.engine = engine;
+        EXPECT_NO_THROW(info.check(input));
+    }
+    input.engine = rig::EngineChoice::cuda;
+    try {
+        info.check(input);
+        FAIL();
+    } catch (InputError const& error) {
+        EXPECT_NE(std::string(error.what()).find("run.engine = \"cuda\" cannot do this run: its energy"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(ProgrammeRun, GoesOnFromItsRecordWithTheSameBits)
 {
     auto const& info = *rig::find_rig("drawdown");
