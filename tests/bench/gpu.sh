@@ -9,7 +9,7 @@ mkdir -p "$out"
 cd "$root"
 
 cmake --preset cuda -DDEMENS_BENCHMARKS=ON >"$out/configure.log"
-cmake --build --preset cuda --parallel --target unit_batch parity_contacts gpu_speed engine_speed >"$out/build.log"
+cmake --build --preset cuda --parallel --target unit_batch unit_programme parity_contacts gpu_speed engine_speed >"$out/build.log"
 ctest --preset cuda -L '^(gpu|parity)$' --output-on-failure | tee "$out/tests.log"
 
 bench=build/cuda/tests/bench

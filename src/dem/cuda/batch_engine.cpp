@@ -39,6 +39,7 @@ void BatchEngine::add(Body const& body, Vector3 const& v)
                 {v.x, v.y, v.z, mass, body.spin.x, body.spin.y, body.spin.z, 0.4 * mass * r * r},
                 body.material);
     ++added_;
+    read_at_ = -1;
 }
 
 WallId BatchEngine::add(Wall const& wall)
@@ -67,12 +68,17 @@ void BatchEngine::advance(std::int64_t steps)
 {
     std::vector<std::int64_t> of_slots(batch_->slots(), 0);
     of_slots[slot_] = steps;
+    read_at_ = -1;
     batch_->advance(of_slots);
 }
 
 Particles const& BatchEngine::fetched()
 {
-    return particles_ = batch_->read(slot_);
+    if (read_at_ != steps_done()) {
+        particles_ = batch_->read(slot_);
+        read_at_ = steps_done();
+    }
+    return particles_;
 }
 
 CatchUp BatchEngine::catch_up() const

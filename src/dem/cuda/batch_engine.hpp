@@ -50,7 +50,8 @@ class BatchEngine final : public Engine
     std::shared_ptr<Batch> batch_;
     std::uint32_t slot_;
     MaterialsPresent materials_;
-    Particles particles_; //!< as they were read last
+    Particles particles_;       //!< as they were read last; views of them hold until something changes
+    std::int64_t read_at_ = -1; //!< the step of it; -1: not as they are
     std::uint32_t added_ = 0;
 };
 

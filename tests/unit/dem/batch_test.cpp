@@ -141,6 +141,21 @@ TEST_F(CudaEngine, MovesParticlesAsTheCpuEngineDoes)
     }
 }
 
+TEST_F(CudaEngine, KeepsAViewUntilSomethingChanges)
+{
+    Simulation simulation(powder(), on(kind()));
+    fill(simulation, 40, 3, false);
+    simulation.advance(100);
+    StateView const view = simulation.read(Fields::all);
+    Vector3 const first = view.position(0);
+    simulation.kinetic_energy(), simulation.largest_speed(), simulation.counts(), simulation.health();
+    StateView const same = simulation.read(Fields::places);
+    EXPECT_EQ(same.places().data(), view.places().data());
+    EXPECT_EQ(view.position(0), first);
+    simulation.advance(1);
+    EXPECT_NE(simulation.read(Fields::all).position(0), first);
+}
+
 TEST_F(CudaEngine, HasAllLaws)
 {
     using contact::CohesionLaw, contact::NormalLaw, contact::RollingLaw, contact::TangentialLaw;
