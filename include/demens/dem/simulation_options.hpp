@@ -1,6 +1,5 @@
 #pragma once
 
-#include "demens/base/words.hpp"
 #include "demens/contact/model.hpp"
 #include "demens/dem/periods.hpp"
 

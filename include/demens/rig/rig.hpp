@@ -123,7 +123,7 @@ struct RigInfo
     std::function<std::vector<ResponseInfo>(OptionValues const&)> asked_responses = {};
     //! Everything that can be wrong with an input, checked before any run. \throws InputError
     std::function<void(RunInput const&)> check = {};
-    //! What is doubtful about an input that can run.
+    //! What is doubtful about an input that can run. \throws InputError for an engine that cannot run it.
     std::function<std::vector<std::string>(RunInput const&)> warnings = {};
     //! Predicted cost [particle steps].
     std::function<double(RunInput const&)> predict_cost = {};

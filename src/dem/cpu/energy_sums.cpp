@@ -1,5 +1,7 @@
 #include "src/dem/cpu/energy_sums.hpp"
 
+#include "src/dem/kinetic_energy.hpp"
+
 namespace demens::dem {
 
 CatchUp catch_up(Params const& params, State const& state)
@@ -9,16 +11,7 @@ CatchUp catch_up(Params const& params, State const& state)
 
 double kinetic_energy(Params const& params, State const& state)
 {
-    CatchUp const now = catch_up(params, state);
-    Particles const& particles = state.particles;
-    double energy = 0;
-    for (std::size_t k = 0; k < particles.owned(); ++k) {
-        Motion const& m = particles.motion[k];
-        Load const& l = particles.load[k];
-        energy +=
-            0.5 * m.mass * norm_squared(now.velocity(m, l)) + 0.5 * m.inertia * norm_squared(now.spin(m, l));
-    }
-    return energy;
+    return dem::kinetic_energy(state.particles, catch_up(params, state));
 }
 
 double potential_energy(Params const& params, State const& state)

@@ -4,18 +4,11 @@
 #include "demens/dem/particles.hpp"
 #include "demens/dem/wall.hpp"
 #include "src/dem/cpu/contact_list.hpp"
+#include "src/dem/wall_offset.hpp"
 
 #include <vector>
 
 namespace demens::dem {
-
-//! From the shape's nearest point to p; where p lies on the shape, a short way along its normal.
-template <class Shape>
-DEMENS_INLINE Vector3 offset_from(Shape const& shape, Vector3 const& p, double radius)
-{
-    Vector3 const offset = p - nearest(shape, p);
-    return norm_squared(offset) > 0 ? offset : 1e-9 * radius * normal(shape, p);
-}
 
 //! Notes which slots of a list of wall contacts are of one particle with walls that it may feel in one place:
 //! flat ones side by side, the sides of a box from outside, a rim. Meshes join their triangles themselves.

@@ -2,6 +2,7 @@
 
 #include "demens/shape/triangle_mesh.hpp"
 #include "src/dem/cpu/contact_list.hpp"
+#include "src/dem/wall_offset.hpp"
 
 #include <span>
 
@@ -64,16 +65,6 @@ class MeshContactFinder
 
 //! Offset of a slot without a contact [m].
 constexpr Vector3 out_of_reach{1e100, 0, 0};
-
-//! Cosine of the angle within which the normal of a contact may turn in a step.
-constexpr double like_normals = 0.7;
-//! Whether it may have turned from one offset to the other.
-inline bool is_like(Vector3 const& one, Vector3 const& other)
-{
-    double const product = dot(one, other);
-    return product > 0 &&
-           product * product > like_normals * like_normals * norm_squared(one) * norm_squared(other);
-}
 
 //! The offset of a contact that has parted: along the one it had, a little longer than `reach` [m].
 inline Vector3 parted(Vector3 const& offset, double reach)

@@ -1,10 +1,11 @@
+// What a batch does. What is read off it: batch_reading.cpp.
 #include "src/dem/cuda/batch.hpp"
 
 #include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
+#include "src/dem/cuda/batch_arrays.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -21,9 +22,12 @@ std::uint32_t whole_blocks(std::uint32_t count)
     return (count + block_size - 1) / block_size * block_size;
 }
 
-bool can_move(Wall const& wall)
+//! Whether the walls may be elsewhere in the next step.
+bool may_move(WallSet const& walls)
 {
-    return displacement_speed(wall) > 0 || norm_squared(wall.velocity) > 0;
+    return walls.have_motions() || std::any_of(walls.all().begin(), walls.all().end(), [](Wall const& wall) {
+               return wall.active && (displacement_speed(wall) > 0 || norm_squared(wall.velocity) > 0);
+           });
 }
 
 } // namespace
@@ -49,64 +53,6 @@ FlatWall flattened(Wall const& wall)
     return flat;
 }
 
-//! All arrays of a view.
-struct Batch::Arrays
-{
-    DeviceArray<Replica> replica;
-    DeviceArray<Place> place, seen;
-    DeviceArray<Motion> motion;
-    DeviceArray<Load> load;
-    DeviceArray<std::uint32_t> material, id, neighbours, neighbour, touching, near_walls, near_wall,
-        touching_walls, cell_of, place_in_cell, bucket, new_index, old_index, cell_start, sums, sums_of_sums,
-        interaction;
-    DeviceArray<double> history, wall_history, wall_paths;
-    DeviceArray<std::byte> laws, layouts, ranges, walls;
-
-    Arrays(Device& device, Room const& room, View& view)
-    {
-        std::size_t const slots = room.slots, all = std::size_t{slots} * room.particles, cells = room.cells;
-        view.room = room;
-        view.all = all;
-        auto const make = [&]<class Number>(DeviceArray<Number>& array, std::size_t count) {
-            array = DeviceArray<Number>(device, count);
-            return array.data();
-        };
-        auto const make_table = [&]<class Number>(DeviceArray<std::byte>& array, Number const*& in_view,
-                                                  std::size_t count) {
-            in_view = reinterpret_cast<Number const*>(make(array, count * sizeof(Number)));
-        };
-        view.replica = make(replica, slots);
-        view.place = make(place, 2 * all);
-        view.motion = make(motion, 2 * all);
-        view.load = make(load, all);
-        view.seen = make(seen, 2 * all);
-        view.material = make(material, 2 * all);
-        view.id = make(id, 2 * all);
-        view.neighbours = make(neighbours, 2 * all);
-        view.neighbour = make(neighbour, 2 * all * room.neighbours);
-        view.touching = make(touching, 2 * all * (room.neighbours / bits_of_word));
-        view.history = make(history, 2 * all * room.neighbours * room.history);
-        view.near_walls = make(near_walls, 2 * all);
-        view.near_wall = make(near_wall, 2 * all * room.walls);
-        view.touching_walls = make(touching_walls, 2 * all);
-        view.wall_history = make(wall_history, 2 * all * room.walls * (room.history + wall_numbers));
-        view.cell_of = make(cell_of, all);
-        view.place_in_cell = make(place_in_cell, all);
-        view.bucket = make(bucket, all);
-        view.new_index = make(new_index, all);
-        view.old_index = make(old_index, all);
-        view.cell_start = make(cell_start, slots * (cells + 1));
-        view.sums = make(sums, slots * (cells / 32 + 1));
-        view.sums_of_sums = make(sums_of_sums, slots * (cells / 1024 + 1));
-        view.interaction = make(interaction, slots * room.materials * room.materials);
-        view.wall_paths = make(wall_paths, slots * (rows_of_block + 1));
-        make_table(laws, view.laws, slots * room.laws);
-        make_table(layouts, view.layouts, slots * room.laws);
-        make_table(ranges, view.ranges, slots * room.laws);
-        make_table(walls, view.walls, slots * room.wall_table);
-    }
-};
-
 Batch::Batch(std::unique_ptr<Device> device, std::uint32_t slots)
     : device_(std::move(device)), replicas_(slots)
 {
@@ -114,12 +60,6 @@ Batch::Batch(std::unique_ptr<Device> device, std::uint32_t slots)
 }
 
 Batch::~Batch() = default;
-
-double Batch::memory_of(std::uint32_t slots, std::uint32_t particles, int history)
-{
-    double const lists = 2 * 32 * (4.0 + 8.0 * history) + 2 * 4 * (4 + 8.0 * (history + wall_numbers));
-    return static_cast<double>(slots) * particles * (lists + 480);
-}
 
 void Batch::begin(std::uint32_t slot, std::shared_ptr<Params const> params)
 {
@@ -183,7 +123,8 @@ Room Batch::room_for_all() const
         for (auto const& layout : replica.params->layouts)
             room.history = std::max(room.history, static_cast<std::uint32_t>(layout.size));
         auto const number = static_cast<std::uint32_t>(replica.walls.size());
-        room.wall_table = std::max(room.wall_table, number * (rows_of_block + 1));
+        room.wall_table =
+            std::max(room.wall_table, number * (may_move(replica.walls) ? rows_of_block + 1 : 1));
         room.laws = std::max(room.laws, static_cast<std::uint32_t>(replica.params->laws.size()));
         room.materials =
             std::max(room.materials, static_cast<std::uint32_t>(replica.params->materials.size()));
@@ -286,9 +227,7 @@ void Batch::prepare_walls(std::uint32_t slot, std::uint32_t steps)
         paths[row] = replica.wall_path;
     };
     replica.device.walls = static_cast<std::uint32_t>(number);
-    replica.device.wall_rows =
-        walls.have_motions() || std::any_of(walls.all().begin(), walls.all().end(),
-                                            [](Wall const& w) { return w.active && can_move(w); });
+    replica.device.wall_rows = may_move(walls);
     write_row(0);
     double const dt = replica.params->options.time_step;
     if (!replica.device.wall_rows)
@@ -371,7 +310,6 @@ void Batch::run_block(std::span<std::uint32_t const> steps)
         r.lower = options.domain_lower, r.upper = options.domain_upper;
         r.periods = options.periodic;
         r.step = 0, r.steps = steps[slot];
-        r.moves_first = !begins;
         r.first_kick_is_half = replica.steps_done == 0;
         r.stale = replica.stale;
         r.phase = !begins ? Phase::move : r.steps > 0 ? Phase::load_and_move : Phase::load;
@@ -433,9 +371,7 @@ void Batch::advance(std::span<std::int64_t const> steps)
         bool any = first;
         for (std::uint32_t slot = 0; slot < slots(); ++slot) {
             HostReplica const& replica = replicas_[slot];
-            bool const moves = replica.walls.have_motions() ||
-                               std::any_of(replica.walls.all().begin(), replica.walls.all().end(), can_move);
-            std::int64_t const most = moves ? rows_of_block : longest_block;
+            std::int64_t const most = may_move(replica.walls) ? rows_of_block : longest_block;
             block[slot] = replica.device.status == Status::running
                               ? static_cast<std::uint32_t>(std::min(most, left[slot]))
                               : 0;
@@ -446,97 +382,6 @@ void Batch::advance(std::span<std::int64_t const> steps)
             return;
         run_block(block);
     }
-}
-
-Particles Batch::read(std::uint32_t slot) const
-{
-    HostReplica const& replica = replicas_[slot];
-    std::size_t const count = replica.device.particles, first = std::size_t{slot} * view_.room.particles;
-    Particles particles;
-    particles.resize(count);
-    auto const read = [&]<class Number>(std::vector<Number>& to, Number const* from, std::size_t set) {
-        if (count > 0)
-            device_->read(to.data(), from + set * view_.all + first, count * sizeof(Number));
-    };
-    read(particles.place, view_.place, replica.device.current);
-    read(particles.motion, view_.motion, replica.device.current);
-    read(particles.load, view_.load, 0);
-    read(particles.material, view_.material, replica.device.sorted);
-    read(particles.id, view_.id, replica.device.sorted);
-    Particles const& waiting = replica.waiting;
-    auto const append = [](auto& to, auto const& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(particles.place, waiting.place), append(particles.motion, waiting.motion);
-    append(particles.load, waiting.load), append(particles.material, waiting.material);
-    append(particles.id, waiting.id);
-    return particles;
-}
-
-namespace {
-
-//! Numbers of the device, of so many entries of all particles.
-template <class Number>
-std::vector<Number> fetch(Device& device, Number const* from, std::size_t count)
-{
-    std::vector<Number> numbers(count);
-    if (count > 0)
-        device.read(numbers.data(), from, count * sizeof(Number));
-    return numbers;
-}
-
-} // namespace
-
-std::vector<WallLoad> Batch::read_wall_loads(std::uint32_t slot) const
-{
-    HostReplica const& replica = replicas_[slot];
-    std::vector<WallLoad> loads(replica.walls.size());
-    std::size_t const count = replica.device.particles, first = std::size_t{slot} * view_.room.particles,
-                      set = replica.device.sorted;
-    if (!replica.loads_are_known || count == 0)
-        return loads;
-    auto const touching = fetch(*device_, view_.touching_walls + set * view_.all + first, count);
-    std::vector<std::vector<std::uint32_t>> near;
-    for (std::uint32_t k = 0; k < view_.room.walls; ++k)
-        near.push_back(fetch(*device_, view_.near_wall + view_.at(set, view_.room.walls, k, first), count));
-    std::size_t const stride = std::size_t{view_.room.history} + wall_numbers;
-    auto const numbers = fetch(*device_, static_cast<double const*>(view_.wall_history_of(set, first, 0)),
-                               count * view_.room.walls * stride);
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::uint32_t k = 0; k < view_.room.walls; ++k) {
-            if (!(touching[i] >> k & 1))
-                continue;
-            double const* const kept =
-                numbers.data() + (i * view_.room.walls + k) * stride + view_.room.history;
-            WallLoad& load = loads[near[k][i]];
-            load.force += Vector3{kept[wall_force_at], kept[wall_force_at + 1], kept[wall_force_at + 2]};
-            load.torque += Vector3{kept[wall_torque_at], kept[wall_torque_at + 1], kept[wall_torque_at + 2]};
-        }
-    return loads;
-}
-
-Batch::Contacts Batch::count_contacts(std::uint32_t slot) const
-{
-    HostReplica const& replica = replicas_[slot];
-    std::size_t const count = replica.device.particles, first = std::size_t{slot} * view_.room.particles,
-                      set = replica.device.sorted;
-    Contacts contacts{0, 0};
-    if (count == 0)
-        return contacts;
-    auto const ones = [](std::vector<std::uint32_t> const& bits, auto const& counts_at) {
-        std::size_t sum = 0;
-        for (std::size_t i = 0; i < bits.size(); ++i)
-            if (counts_at(i))
-                sum += static_cast<std::size_t>(std::popcount(bits[i]));
-        return sum;
-    };
-    auto const lengths = fetch(*device_, view_.neighbours + set * view_.all + first, count);
-    for (std::uint32_t word = 0; word < view_.words(); ++word)
-        contacts.pairs +=
-            ones(fetch(*device_, view_.touching + view_.at(set, view_.words(), word, first), count),
-                 [&](std::size_t i) { return lengths[i] > word * bits_of_word; });
-    contacts.pairs /= 2;
-    contacts.walls = ones(fetch(*device_, view_.touching_walls + set * view_.all + first, count),
-                          [](std::size_t) { return true; });
-    return contacts;
 }
 
 } // namespace demens::dem::cuda

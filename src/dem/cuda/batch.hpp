@@ -10,39 +10,6 @@
 
 namespace demens::dem::cuda {
 
-//! An array on a device.
-template <class Number>
-class DeviceArray
-{
-  public:
-    DeviceArray() = default;
-    DeviceArray(Device& device, std::size_t count)
-        : device_(&device), data_(static_cast<Number*>(device.allocate(count * sizeof(Number))))
-    {
-    }
-    DeviceArray(DeviceArray&& other) noexcept
-        : device_(other.device_), data_(std::exchange(other.data_, nullptr))
-    {
-    }
-    DeviceArray& operator=(DeviceArray&& other) noexcept
-    {
-        std::swap(device_, other.device_);
-        std::swap(data_, other.data_);
-        return *this;
-    }
-    ~DeviceArray()
-    {
-        if (data_ != nullptr)
-            device_->release(data_);
-    }
-
-    Number* data() const { return data_; }
-
-  private:
-    Device* device_ = nullptr;
-    Number* data_ = nullptr;
-};
-
 //! Many simulations on one device, advanced together: each has a slot, with its own laws, time step, walls
 //! and clock. One that goes wrong is left behind, the others go on; an empty slot can be taken at any time.
 //! What a replica does depends neither on its slot nor on its neighbours, bit for bit.
@@ -54,8 +21,6 @@ class Batch
 
     std::uint32_t slots() const { return static_cast<std::uint32_t>(replicas_.size()); }
     std::string device_name() const { return device_->name(); }
-    //! Bytes of the device that so many slots of so many particles take, with the lists of dense beds.
-    static double memory_of(std::uint32_t slots, std::uint32_t particles, int history);
 
     //! Begins a simulation in an empty slot. \throws InputError for what the device cannot do.
     void begin(std::uint32_t slot, std::shared_ptr<Params const> params);

@@ -2,6 +2,7 @@
 
 #include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
+#include "src/dem/kinetic_energy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -119,16 +120,7 @@ double BatchEngine::largest_speed()
 
 double BatchEngine::kinetic_energy()
 {
-    CatchUp const now = catch_up();
-    Particles const& particles = fetched();
-    double energy = 0;
-    for (std::size_t k = 0; k < particles.size(); ++k) {
-        Motion const& m = particles.motion[k];
-        Load const& l = particles.load[k];
-        energy +=
-            0.5 * m.mass * norm_squared(now.velocity(m, l)) + 0.5 * m.inertia * norm_squared(now.spin(m, l));
-    }
-    return energy;
+    return dem::kinetic_energy(fetched(), catch_up());
 }
 
 EnergyLedger BatchEngine::energy()

@@ -194,12 +194,6 @@ class CudaDevice final : public Device
         require(cudaGetDeviceProperties(&properties, 0));
         return properties.name;
     }
-    std::size_t free_memory() const override
-    {
-        std::size_t free = 0, total = 0;
-        require(cudaMemGetInfo(&free, &total));
-        return free;
-    }
 
     void* allocate(std::size_t bytes) override
     {

@@ -17,7 +17,6 @@ class Device
     virtual ~Device() = default;
 
     virtual std::string name() const = 0;
-    virtual std::size_t free_memory() const = 0; //!< [bytes]
 
     //! Zeros. \throws std::bad_alloc
     virtual void* allocate(std::size_t bytes) = 0;

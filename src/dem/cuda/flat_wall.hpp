@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demens/dem/wall.hpp"
+#include "src/dem/wall_offset.hpp"
 
 namespace demens::dem::cuda {
 
@@ -34,11 +35,7 @@ struct FlatWall
     //! From the nearest point to p; where p lies on the shape, a short way along its normal [m].
     DEMENS_FUNCTION Vector3 offset(Vector3 const& p, double radius) const
     {
-        bool const flat = kind == Kind::rectangle;
-        Vector3 const difference = p - (flat ? nearest(rectangle, p) : nearest(round, p));
-        if (norm_squared(difference) > 0)
-            return difference;
-        return 1e-9 * radius * (flat ? normal(rectangle, p) : normal(round, p));
+        return kind == Kind::rectangle ? offset_from(rectangle, p, radius) : offset_from(round, p, radius);
     }
 };
 

@@ -48,7 +48,6 @@ struct Replica
     std::uint32_t current;     //!< which of the two sets of places and motions holds
     std::uint32_t sorted;      //!< which of the two sets of lists, and of what is sorted with them, holds
     std::uint32_t step, steps; //!< of this block: done, to do
-    std::uint32_t moves_first; //!< this block begins with loads that are known
     std::uint32_t first_kick_is_half;
     std::uint32_t stale; //!< lists are to be made anew, whatever has moved
     double walls_seen;   //!< path of the walls when lists were made [m]

@@ -61,14 +61,6 @@ class FeltWalls
     Felt felt_[most_near_walls];
 };
 
-//! Cosine of the angle within which the normal of a contact may turn in a step.
-DEMENS_INLINE DEMENS_FUNCTION bool may_go_on(Vector3 const& one, Vector3 const& other)
-{
-    constexpr double like = 0.7;
-    double const product = dot(one, other);
-    return product > 0 && product * product > like * like * norm_squared(one) * norm_squared(other);
-}
-
 //! Adds the loads of a particle's contacts with walls.
 template <class Evaluate>
 DEMENS_FUNCTION void add_walls(View const& v, Replica& r, std::uint32_t slot, std::uint64_t i,
@@ -105,7 +97,7 @@ DEMENS_FUNCTION void add_walls(View const& v, Replica& r, std::uint32_t slot, st
                 double* const left = v.wall_history_of(sorted, i, from);
                 double const* const was = left + v.room.history + wall_offset_at;
                 if (felt[from].counts || !(old >> from & 1) || law_at(from) != law_at(k) ||
-                    !may_go_on({was[0], was[1], was[2]}, felt[k].offset))
+                    !is_like({was[0], was[1], was[2]}, felt[k].offset))
                     continue;
                 double* const to = v.wall_history_of(sorted, i, k);
                 for (std::uint32_t n = 0; n < v.room.history; ++n)

@@ -53,14 +53,18 @@ RigInfo described(RigInfo rig)
         programme.engine = input.engine;
         return programme;
     };
-    rig.warnings = [describe](RunInput const& input) {
+    auto const checked = [describe](RunInput const& input) {
         auto const programme = describe(input);
-        if (input.engine == EngineChoice::cuda || input.engine == EngineChoice::cuda_on_host)
-            chosen_engine(input.engine, programme.build(), false);
         check_memory(programme.expected_particles, 1, memory_limit());
         return programme.check ? programme.check() : std::vector<std::string>{};
     };
-    rig.check = [warnings = rig.warnings](RunInput const& input) { warnings(input); };
+    rig.check = [checked](RunInput const& input) { checked(input); };
+    // What stands there is made for this alone, so not for every run.
+    rig.warnings = [checked, describe](RunInput const& input) {
+        if (input.engine == EngineChoice::cuda || input.engine == EngineChoice::cuda_on_host)
+            chosen_engine(input.engine, describe(input).build(), false);
+        return checked(input);
+    };
     rig.predict_cost = [describe](RunInput const& input) {
         auto const programme = describe(input);
         return programme.expected_particles * programme.expected_duration / programme.time_step;

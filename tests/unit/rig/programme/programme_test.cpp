@@ -164,11 +164,11 @@ TEST(ProgrammeRun, RefusesWhatAnEngineCannotDoBeforeARun)
     input.experiment.set("energy_ledger", true);
     for (auto const engine : {rig::EngineChoice::cpu, rig::EngineChoice::automatic}) {
         input.engine = engine;
-        EXPECT_NO_THROW(info.check(input));
+        EXPECT_NO_THROW(info.warnings(input));
     }
     input.engine = rig::EngineChoice::cuda;
     try {
-        info.check(input);
+        info.warnings(input);
         FAIL();
     } catch (InputError const& error) {
         EXPECT_NE(std::string(error.what()).find("run.engine = \"cuda\" cannot do this run: its energy"),

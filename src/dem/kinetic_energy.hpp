@@ -1,0 +1,20 @@
+#pragma once
+
+#include "demens/dem/state_view.hpp"
+
+namespace demens::dem {
+
+//! Of translation and rotation, at the time of the places; ghosts are not in it [J].
+inline double kinetic_energy(Particles const& particles, CatchUp const& now)
+{
+    double energy = 0;
+    for (std::size_t k = 0; k < particles.owned(); ++k) {
+        Motion const& m = particles.motion[k];
+        Load const& l = particles.load[k];
+        energy +=
+            0.5 * m.mass * norm_squared(now.velocity(m, l)) + 0.5 * m.inertia * norm_squared(now.spin(m, l));
+    }
+    return energy;
+}
+
+} // namespace demens::dem
