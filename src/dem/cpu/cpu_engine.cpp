@@ -5,6 +5,7 @@
 #include "src/dem/cpu/particle_motion.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -180,12 +181,13 @@ void CpuEngine::move_bodies()
 {
     double const dt = params_->options.time_step;
     double const kick = state_.steps_done == 0 ? 0.5 * dt : dt;
-    Moved const moved = move_particles(state_.particles, kick, dt, params_->options.gravity);
-    state_.leaping |= moved.leaping;
+    double const fastest_here = move_particles(state_.particles, kick, dt, params_->options.gravity);
+    if (state_.lists.is_stale || dt * fastest_here > state_.lists.smallest_radius)
+        state_.leaping |= has_leapt(state_.particles, dt);
     // A list that has become too small is made anew, by all ranks, as after a skin's travel.
     bool const is_full = std::any_of(state_.contacts.walls.begin(), state_.contacts.walls.end(),
                                      [](ContactList const& list) { return list.wants_slots; });
-    double const fastest = partition_->largest(moved.fastest + (is_full ? params_->options.skin / dt : 0.0));
+    double const fastest = partition_->largest(fastest_here + (is_full ? params_->options.skin / dt : 0.0));
     double const fastest_wall = state_.walls.advance(time(), dt);
     state_.lists.travelled += dt * std::max(fastest, 0.5 * (fastest + fastest_wall));
 }
@@ -238,6 +240,9 @@ void CpuEngine::search_neighbours()
     partition_->distribute(particles, state_.contacts, {radius, lists.reach.candidates});
     search_.rebuild(particles, state_.walls.all(), lists.reach, state_.contacts);
     partition_->renumber(search_.new_numbers(), particles);
+    lists.smallest_radius = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < particles.owned(); ++k)
+        lists.smallest_radius = std::min(lists.smallest_radius, particles.place[k].radius);
     lists.travelled = 0;
     lists.near_until = 0.5 * near_share * options.skin;
     lists.is_stale = false;

@@ -44,8 +44,10 @@ DEMENS_INLINE contact::NormalResponse load(ContactBlock const& b, int l)
 }
 
 template <bool ledger, class Law>
-DEMENS_MULTIVERSION void run(ContactBlock& b, contact::NormalStage<Law, ledger> const stage, double time_step)
+DEMENS_MULTIVERSION void run(ContactBlock& b, contact::NormalStage<Law, ledger> const& given,
+                             double time_step)
 {
+    auto const stage = given; // of its own, so that no lane is taken to change it
     int const padded = ContactBlock::padded(b.count);
 #pragma GCC ivdep
     for (int l = 0; l < padded; ++l) {
@@ -63,9 +65,10 @@ DEMENS_MULTIVERSION void run(ContactBlock& b, contact::NormalStage<Law, ledger> 
 }
 
 template <bool ledger, class Law>
-DEMENS_MULTIVERSION void run(ContactBlock& b, contact::CohesionStage<Law, ledger> const stage,
+DEMENS_MULTIVERSION void run(ContactBlock& b, contact::CohesionStage<Law, ledger> const& given,
                              double time_step)
 {
+    auto const stage = given; // of its own, so that no lane is taken to change it
     int const padded = ContactBlock::padded(b.count);
 #pragma GCC ivdep
     for (int l = 0; l < padded; ++l) {
@@ -80,9 +83,10 @@ DEMENS_MULTIVERSION void run(ContactBlock& b, contact::CohesionStage<Law, ledger
 }
 
 template <bool ledger, class Law>
-DEMENS_MULTIVERSION void run(ContactBlock& b, contact::TangentialStage<Law, ledger> const stage,
+DEMENS_MULTIVERSION void run(ContactBlock& b, contact::TangentialStage<Law, ledger> const& given,
                              double time_step)
 {
+    auto const stage = given; // of its own, so that no lane is taken to change it
     int const padded = ContactBlock::padded(b.count);
 #pragma GCC ivdep
     for (int l = 0; l < padded; ++l) {
@@ -98,9 +102,10 @@ DEMENS_MULTIVERSION void run(ContactBlock& b, contact::TangentialStage<Law, ledg
 }
 
 template <bool ledger, class Law>
-DEMENS_MULTIVERSION void run(ContactBlock& b, contact::RollingStage<Law, ledger> const stage,
+DEMENS_MULTIVERSION void run(ContactBlock& b, contact::RollingStage<Law, ledger> const& given,
                              double time_step)
 {
+    auto const stage = given; // of its own, so that no lane is taken to change it
     int const padded = ContactBlock::padded(b.count);
 #pragma GCC ivdep
     for (int l = 0; l < padded; ++l) {

@@ -1,22 +1,15 @@
 #include "src/dem/cpu/particle_motion.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace demens::dem {
 namespace {
 
-//! The largest speed squared [m^2/s^2], and the least that the square of a radius has beyond that of the
-//! particle's path in the step [m^2].
-struct Extremes
+//! The largest speed squared [m^2/s^2].
+DEMENS_MULTIVERSION double move(Place* place, Motion* motion, Load* load, std::size_t count, double kick,
+                                double time_step, Vector3 const& gravity)
 {
-    double speed = 0, room = std::numeric_limits<double>::infinity();
-};
-DEMENS_MULTIVERSION Extremes move(Place* place, Motion* motion, Load* load, std::size_t count, double kick,
-                                  double time_step, Vector3 const& gravity)
-{
-    Extremes found;
-    double const duration = time_step * time_step;
+    double fastest = 0;
     for (std::size_t i = 0; i < count; ++i) {
         Motion& m = motion[i];
         Load const l = load[i];
@@ -32,20 +25,28 @@ DEMENS_MULTIVERSION Extremes move(Place* place, Motion* motion, Load* load, std:
         place[i].y += time_step * m.vy;
         place[i].z += time_step * m.vz;
         double const speed = m.vx * m.vx + m.vy * m.vy + m.vz * m.vz;
-        found.speed = speed > found.speed ? speed : found.speed;
-        double const room = place[i].radius * place[i].radius - duration * speed;
-        found.room = room < found.room ? room : found.room;
+        fastest = speed > fastest ? speed : fastest;
     }
-    return found;
+    return fastest;
 }
 
 } // namespace
 
-Moved move_particles(Particles& particles, double kick, double time_step, Vector3 const& gravity)
+double move_particles(Particles& particles, double kick, double time_step, Vector3 const& gravity)
 {
-    Extremes const found = move(particles.place.data(), particles.motion.data(), particles.load.data(),
-                                particles.owned(), kick, time_step, gravity);
-    return {std::sqrt(found.speed), found.room < 0};
+    return std::sqrt(move(particles.place.data(), particles.motion.data(), particles.load.data(),
+                          particles.owned(), kick, time_step, gravity));
+}
+
+bool has_leapt(Particles const& particles, double time_step)
+{
+    for (std::size_t i = 0; i < particles.owned(); ++i) {
+        Motion const& m = particles.motion[i];
+        double const radius = particles.place[i].radius;
+        if (time_step * time_step * (m.vx * m.vx + m.vy * m.vy + m.vz * m.vz) > radius * radius)
+            return true;
+    }
+    return false;
 }
 
 } // namespace demens::dem

@@ -19,6 +19,7 @@ struct ListClock
     double travelled = 0;  //!< bound on how far any body moved since the rebuild [m]
     double near_until = 0; //!< distance travelled after which contacts are renewed [m]
     NeighbourReach reach = {};
+    double smallest_radius = 0;              //!< of the particles of this process, or less [m]
     std::vector<contact::Range> ranges = {}; //!< of each law set, for the largest particle
     std::int64_t rebuilds = 0;
 };

@@ -36,14 +36,18 @@ template <class Shape>
 void test_slots(Shape const& shape, SlotSorter& sort, Slots slots, std::span<JoinedContact const>& joined)
 {
     for (std::size_t s = slots.from; s < slots.to; ++s) {
-        Place const& p = sort.places[sort.list.first[s]];
-        if (!joined.empty() && joined.front().slot == s) {
+        std::size_t const next =
+            joined.empty() ? slots.to : std::min<std::size_t>(slots.to, joined.front().slot);
+        for (; s < next; ++s) {
+            Place const& p = sort.places[sort.list.first[s]];
+            sort.list.offset[s] = offset_from(shape, {p.x, p.y, p.z}, p.radius);
+            sort(s);
+        }
+        if (s < slots.to) {
             sort.list.offset[s] = joined.front().offset;
             joined = joined.subspan(1);
-        } else {
-            sort.list.offset[s] = offset_from(shape, {p.x, p.y, p.z}, p.radius);
+            sort(s);
         }
-        sort(s);
     }
 }
 
