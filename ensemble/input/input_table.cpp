@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <optional>
 #include <sstream>
 
 namespace demens::ensemble::input {
@@ -41,13 +42,21 @@ std::string text_of(toml::node const& node)
 {
     if (node.is_string())
         return quoted(*node.value<std::string>());
-    if (node.is_number())
+    if (node.is_floating_point())
         return fmt::format("{}", *node.value<double>());
     std::ostringstream text;
     node.visit([&](auto const& value) { text << toml::toml_formatter(value); });
     auto const written = text.str();
     return written.size() > 60 || written.find('\n') != std::string::npos ? "" : written;
 }
+
+//! Nothing where it is no number, or a whole one that a `double` does not hold exactly.
+std::optional<double> number_in(toml::node const& node)
+{
+    return node.is_number() ? node.value<double>() : std::nullopt;
+}
+constexpr auto too_many_digits =
+    "a whole number beyond 2^53 is not kept exactly; write it with a decimal point";
 
 std::string line_prefix(std::string const& origin, toml::source_region const& source)
 {
@@ -115,7 +124,10 @@ OptionValue InputTable::read_option(OptionSpec const& spec) const
     if (std::holds_alternative<double>(spec.default_value)) {
         if (!node.is_number())
             throw wrong_type("a number");
-        double const value = *node.value<double>();
+        auto const given = number_in(node);
+        if (!given)
+            throw error(spec.key, fmt::format("{} ({})", too_many_digits, spec.doc));
+        double const value = *given;
         if (value != std::get<double>(spec.default_value))
             check_range(value);
         return value;
@@ -167,11 +179,14 @@ std::vector<double> InputTable::numbers(std::string const& key, toml::node const
         throw error(key, fmt::format("must be a list of numbers, not {}", type_name(node)));
     std::vector<double> numbers;
     for (auto const& element : *list) {
-        if (!element.is_number() || !std::isfinite(*element.value<double>()))
+        auto const number = number_in(element);
+        if (element.is_number() && !number)
+            throw error(key, fmt::format("{}: {}", text_of(element), too_many_digits));
+        if (!number || !std::isfinite(*number))
             throw error(key,
                         fmt::format("must be a list of finite numbers; it holds {}{}{}", type_name(element),
                                     text_of(element).empty() ? "" : ", ", text_of(element)));
-        numbers.push_back(*element.value<double>());
+        numbers.push_back(*number);
     }
     return numbers;
 }

@@ -1,6 +1,7 @@
 #include "demens/base/contract.hpp"
 #include "src/dem/cpu/cpu_engine.hpp"
 #include "src/dem/cpu/energy_sums.hpp"
+#include "src/dem/motion_readings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +13,13 @@ Health CpuEngine::health()
 {
     Particles const& particles = state_.particles;
     double sum = 0;
-    for (std::size_t i = 0; i < particles.owned(); ++i)
-        sum += particles.place[i].x + particles.place[i].y + particles.place[i].z + particles.load[i].fx +
-               particles.load[i].tx;
+    for (std::size_t i = 0; i < particles.owned(); ++i) {
+        Place const& p = particles.place[i];
+        Motion const& m = particles.motion[i];
+        Load const& l = particles.load[i];
+        sum += p.x + p.y + p.z + m.vx + m.vy + m.vz + m.wx + m.wy + m.wz + l.fx + l.fy + l.fz + l.tx + l.ty +
+               l.tz;
+    }
     bool const leaping = partition_->largest(std::exchange(state_.leaping, false) ? 1.0 : 0.0) > 0;
     bool const overlapping = partition_->largest(std::exchange(state_.overlapping, false) ? 1.0 : 0.0) > 0;
     if (partition_->largest(std::isfinite(sum) ? 0.0 : 1.0) > 0)
@@ -44,12 +49,7 @@ std::vector<WallLoad> CpuEngine::read_wall_loads()
 
 double CpuEngine::largest_speed()
 {
-    double squared = 0;
-    for (std::size_t k = 0; k < state_.particles.owned(); ++k) {
-        Motion const& m = state_.particles.motion[k];
-        squared = std::max(squared, m.vx * m.vx + m.vy * m.vy + m.vz * m.vz);
-    }
-    return partition_->largest(std::sqrt(squared));
+    return partition_->largest(dem::largest_speed(state_.particles, catch_up(*params_, state_)));
 }
 
 double CpuEngine::kinetic_energy()

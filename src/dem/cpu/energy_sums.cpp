@@ -1,6 +1,6 @@
 #include "src/dem/cpu/energy_sums.hpp"
 
-#include "src/dem/kinetic_energy.hpp"
+#include "src/dem/motion_readings.hpp"
 
 namespace demens::dem {
 

@@ -2,7 +2,7 @@
 
 #include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
-#include "src/dem/kinetic_energy.hpp"
+#include "src/dem/motion_readings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -112,10 +112,7 @@ StateView BatchEngine::read(Fields fields)
 
 double BatchEngine::largest_speed()
 {
-    double squared = 0;
-    for (Motion const& m : fetched().motion)
-        squared = std::max(squared, m.vx * m.vx + m.vy * m.vy + m.vz * m.vz);
-    return std::sqrt(squared);
+    return dem::largest_speed(fetched(), catch_up());
 }
 
 double BatchEngine::kinetic_energy()

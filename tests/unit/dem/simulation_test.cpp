@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace {
@@ -61,6 +63,25 @@ TEST(Simulation, BodiesFallFromTheirVelocityWheneverTheyEnter)
         EXPECT_NEAR(now.velocity(k).z, 0.2 - g * t, 1e-12);
         EXPECT_EQ(now.spin(k), (Vector3{0, is_second ? 3.0 : 0.0, 0}));
     }
+}
+
+TEST(Simulation, TheLargestSpeedIsThatOfTheTimeOfThePlaces)
+{
+    auto s = simulation();
+    s.add(dem::Body{.position = {}, .radius = r, .velocity = {0.1, 0, 0.2}});
+    EXPECT_DOUBLE_EQ(s.largest_speed(), std::hypot(0.1, 0.2));
+    for (int steps = 1; steps <= 1000; steps += 111) {
+        s.advance(111);
+        EXPECT_NEAR(s.largest_speed(), std::hypot(0.1, 0.2 - g * s.time()), 1e-12);
+    }
+}
+
+TEST(Simulation, ASpinThatIsNoNumberIsSeenThoughNothingIsTouched)
+{
+    auto s = simulation();
+    s.add(dem::Body{.position = {}, .radius = r, .spin = {0, 0, std::numeric_limits<double>::quiet_NaN()}});
+    s.advance(1);
+    EXPECT_EQ(s.health(), dem::Health::not_a_number);
 }
 
 TEST(Simulation, AWallIsPutElsewhereAndStandsStill)

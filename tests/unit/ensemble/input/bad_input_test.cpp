@@ -77,6 +77,11 @@ TEST(BadInput, OutOfRange)
     EXPECT_THAT(message_with("kinetic_friction = 0.8", "kinetic_friction = -0.5"),
                 HasSubstr("must be at least 0"));
     EXPECT_THAT(message_with("density = 700", "density = nan"), HasSubstr("must be a finite number"));
+    for (auto const* density : {"9007199254740993", "-9007199254740993", "9223372036854775807"})
+        EXPECT_THAT(message_with("density = 700", std::string("density = ") + density),
+                    HasSubstr(std::string(density) + ": a whole number beyond 2^53 is not kept exactly"));
+    EXPECT_THAT(message_with("diameters_mm = [12.7, 25.4]", "diameters_mm = [12.7, 9007199254740993]"),
+                HasSubstr("9007199254740993: a whole number beyond 2^53"));
     EXPECT_THAT(message_with("seed = 7", "seed = -7"), HasSubstr("campaign.seed = -7: must be at least 0"));
 }
 
