@@ -96,7 +96,7 @@ function show_responses(parent) {
         .concat(campaign.optimum ? [['best point', colours.best]] : []));
     parent.append(element('p', {class: 'note'}, 'Dots are runs'
         + (campaign.surrogate ? ', darker the closer their other factors are to the optimum of the surrogates. Line: surrogate '
-           + 'through that optimum, ± one standard deviation' : '') + '. Green: measured value and tolerance.' + note_of_drawn(finished_runs, 'runs')));
+           + 'through that optimum, ± one standard deviation' : '') + '. Green: measured value and tolerance.'));
     for (const target of all_targets) show_response_row(parent, target);
 
     const others = campaign.experiments.flatMap((experiment, e) => experiment.responses.map((response, r) => ({
@@ -124,6 +124,8 @@ function show_response_row(parent, target) {
     const row = element('div', {class: 'columns', style: `grid-template-columns: repeat(${Math.max(across, 3)}, 1fr)`});
     parent.append(row);
     const runs = finished_runs.filter((run) => run.experiment === target.experiment && known(run.responses[target.response]));
+    const thinned = note_of_drawn(runs, 'runs');
+    if (thinned) row.before(element('p', {class: 'note'}, thinned));
     const values = runs.map((run) => run.responses[target.response]);
     const bounds = target.index >= 0
         ? [target.value - (target.tolerance || 0), target.value + (target.tolerance || 0)] : [];

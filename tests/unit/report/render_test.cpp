@@ -117,8 +117,9 @@ TEST(Render, finished_campaign)
     EXPECT_EQ(count_of(page, "<tr class=\"failed\""), 1);
     EXPECT_EQ(count_of(page, "<tr class=\"best\""), 4);
     EXPECT_NE(page.find("no better point in 4 waves"), std::string::npos);
-    for (char const* finding : {"in 2 separate regions", "trade off (correlation", "measuring slow: porosity",
-                                "inactive, kept at 30", "by 0.4.", "radial basis functions, error"})
+    for (char const* finding :
+         {"in 2 separate regions", "trade off (correlation", "measuring slow: porosity",
+          "inactive, kept at 30", "by 0.4.", "radial basis functions, error", "fitted to 5 of 9 locations"})
         EXPECT_NE(page.find(finding), std::string::npos) << finding;
 }
 
@@ -134,6 +135,20 @@ TEST(Render, campaign_under_way)
     // Band, target and the three runs of the first experiment that finished.
     EXPECT_EQ(marks.at("response-0-0-static_friction"), 2 + 3);
     EXPECT_EQ(count_of(page, "<tr class=\"waiting\""), 11);
+}
+
+TEST(Render, plots_of_many_runs_are_thinned_and_say_so)
+{
+    constexpr int drawn = 2000, replicates = 700, of_experiment = 4 * replicates;
+    auto const page = rendered(test::campaign_of_many_runs(replicates));
+    expect_no_error(page);
+    auto const marks = marks_of(page);
+    EXPECT_EQ(marks.at("timing"), drawn + 1);
+    EXPECT_EQ(marks.at("response-0-0-static_friction"), 2 + drawn); // band and target besides
+    EXPECT_EQ(marks.at("response-1-0-cohesion"), 2 + drawn);
+    auto const note = [&](int runs) { return "2000 of " + std::to_string(runs) + " runs, evenly taken"; };
+    EXPECT_EQ(count_of(page, note(of_experiment)), 2 * 3); // of three responses in two experiments
+    EXPECT_EQ(count_of(page, note(2 * of_experiment)), 1); // of the timing
 }
 
 TEST(Render, new_campaign)

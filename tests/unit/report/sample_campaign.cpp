@@ -68,13 +68,14 @@ std::vector<double> responses_of(std::vector<double> const& factors, int experim
     return {angle, 7 - 2.5 * factors[0], 0.4 + 0.01 * replicate};
 }
 
-ensemble::Wave wave_of(int number, ensemble::WavePurpose purpose, int first_point, int points, int first_run)
+ensemble::Wave wave_of(int number, ensemble::WavePurpose purpose, int first_point, int points, int first_run,
+                       int replicates = 2)
 {
     ensemble::Wave wave{
         .number = number, .purpose = purpose, .runs = {}, .analysis = {}, .wall_time = 0, .groups = 3};
     for (int point = first_point; point < first_point + points; ++point)
         for (int experiment = 0; experiment < 2; ++experiment)
-            for (int replicate = 0; replicate < 2; ++replicate) {
+            for (int replicate = 0; replicate < replicates; ++replicate) {
                 ensemble::RunRecord run;
                 run.run = first_run + static_cast<int>(wave.runs.size());
                 run.wave = number;
@@ -143,6 +144,7 @@ std::vector<ensemble::NamedArray> sample_analysis()
     for (std::size_t i = 20; i < 24; ++i)
         history[i] = 0.031;
     return {array("surrogate/locations", {1}, {5}),
+            array("surrogate/complete_locations", {1}, {9}),
             array("surrogate/kind", {3}, {4, 4, 4}),
             array("surrogate/leave_one_out_rmse", {3}, {0.6, 0.2, 0.7}),
             array("surrogate/leave_one_out_r2", {3}, {0.9, 0.8, 0.9}),
@@ -228,6 +230,17 @@ ensemble::Campaign new_campaign()
 {
     ensemble::Campaign campaign;
     campaign.input = sample_input();
+    return campaign;
+}
+
+ensemble::Campaign campaign_of_many_runs(int replicates)
+{
+    ensemble::Campaign campaign;
+    campaign.input = sample_input();
+    campaign.input.experiments[0].replicates = campaign.input.experiments[1].replicates = replicates;
+    auto wave = wave_of(0, ensemble::WavePurpose::design, 0, 4, 0, replicates);
+    finish_all(wave);
+    campaign.waves = {wave};
     return campaign;
 }
 

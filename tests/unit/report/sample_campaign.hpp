@@ -13,6 +13,8 @@ ensemble::Campaign sample_campaign();
 ensemble::Campaign campaign_under_way();
 //! The same before any run is planned.
 ensemble::Campaign new_campaign();
+//! The same with so many replicates of the four points of its design, 8 runs each, and no search.
+ensemble::Campaign campaign_of_many_runs(int replicates);
 //! Two snapshots and a series; the particles stand on a grid, 12 by 5 by 10 of them.
 ensemble::RunDetails sample_details(int run);
 
