@@ -28,6 +28,7 @@ void add_laws(CLI::App& program, Action& action);
 void add_keys(CLI::App& program, Action& action);
 void add_fit(CLI::App& program, Action& action);
 void add_scale(CLI::App& program, Action& action);
+void add_observe(CLI::App& program, Action& action);
 
 //! Runs a campaign file, or first makes one of a TOML file, on all ranks. \return exit code, the same on all
 //! ranks

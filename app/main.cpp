@@ -63,6 +63,7 @@ int main(int argc, char** argv)
     cli::add_keys(program, action);
     cli::add_fit(program, action);
     cli::add_scale(program, action);
+    cli::add_observe(program, action);
     try {
         program.parse(argc, argv);
     } catch (CLI::ParseError const& error) {

@@ -22,4 +22,5 @@ endif()
 
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt_cxx)
+pkg_check_modules(gd REQUIRED IMPORTED_TARGET gdlib)
 pkg_check_modules(petsc REQUIRED IMPORTED_TARGET PETSc)

@@ -36,8 +36,8 @@ ProfileReading::Points surface(Look& look, Setup const& setup)
 {
     auto const& [view, edge, line] = picture(look, setup);
     ProfileReading::Points points;
-    for (int column = 0; column < view.pixels(); ++column)
-        points.axis.push_back(view.centre(column));
+    for (int column = 0; column < view.columns(); ++column)
+        points.axis.push_back(view.x(column));
     points.values.assign(points.axis.size(), std::numeric_limits<double>::quiet_NaN());
     std::size_t column = 0;
     for (auto const& [x, z] : edge) { // from left to right, at the columns' centres
