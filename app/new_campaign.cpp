@@ -99,6 +99,8 @@ CampaignInput read_checked(fs::path const& toml)
                input.factors.size(), input.experiments.size(), design.points.rows(), runs);
     for (auto const& warning : input.warnings())
         fmt::print("  warning: {}\n", warning);
+    for (auto const& note : input.notes())
+        fmt::print("  {}\n", note);
     for (auto const& note : design.notes)
         fmt::print("  {}\n", note);
     return input;

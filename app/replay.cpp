@@ -2,6 +2,7 @@
 #include "demens/base/error.hpp"
 #include "demens/observe/vtk_frames.hpp"
 #include "ensemble/mpi/mpi_team.hpp"
+#include "ensemble/run/execute.hpp"
 #include "ensemble/session.hpp"
 
 #include <bit>
@@ -116,7 +117,7 @@ int replay(ReplayOptions const& options)
                 frames->write(snapshot);
         };
     }
-    auto const result = experiment.rig->run(input, hooks);
+    auto const result = ensemble::run_experiment(experiment, input, hooks);
     if (!is_first)
         return success;
 

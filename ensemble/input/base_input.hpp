@@ -78,6 +78,7 @@ struct ReadExperiments
 {
     std::vector<Experiment> experiments;
     std::vector<InputTable> tables;
+    std::vector<std::string> notes; //!< what is said of their targets
 };
 ReadExperiments read_experiments(InputTable const& file, BaseInput& base,
                                  std::vector<rig::RigInfo> const& rigs, FileSource const& files);

@@ -49,8 +49,9 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     campaign.seed = static_cast<std::uint64_t>(header.integer("seed"));
 
     auto tree = std::make_shared<Tree>(Tree{input::read_base_model(file)});
-    auto [experiments, experiment_tables] = input::read_experiments(file, *tree, rigs, files);
+    auto [experiments, experiment_tables, notes] = input::read_experiments(file, *tree, rigs, files);
     campaign.experiments = std::move(experiments);
+    campaign.notes_ = std::move(notes);
     campaign.factors = input::read_factors(file, *tree, campaign.experiments);
     campaign.constraints = input::read_constraints(file, *tree, campaign.experiments, campaign.factors);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demens/rig/rig.hpp"
+#include "ensemble/curve/curve_target.hpp"
 #include "ensemble/input/file_source.hpp"
 #include "ensemble/input/kinds.hpp"
 
@@ -23,6 +24,7 @@ struct Target
     TransformKind transform = TransformKind::none;
     double lower = std::numeric_limits<double>::quiet_NaN(); //!< range of the response, for logit
     double upper = std::numeric_limits<double>::quiet_NaN();
+    int curve = -1; //!< in Experiment::curves, whose window it is; -1: a response of the rig
 };
 
 //! One rig under one set of conditions, with what was measured there.
@@ -31,8 +33,9 @@ struct Experiment
     std::string name;
     rig::RigInfo const* rig;
     int replicates = 1;                       //!< runs per design point, each with its own packing seed
-    std::vector<rig::ResponseInfo> responses; //!< what it measures
+    std::vector<rig::ResponseInfo> responses; //!< what its rig measures, then what its curves add
     std::vector<Target> targets;
+    std::vector<CurveTarget> curves = {}; //!< measured; each of their windows is a target
 };
 
 //! A scalar of the resolved input that is to be found.
@@ -174,6 +177,8 @@ class CampaignInput
     std::string const& resolved_text() const { return resolved_text_; }
     //! What is doubtful about it, though it can run: for whoever makes a campaign of it.
     std::vector<std::string> warnings() const;
+    //! What was made of it that its author may want to know.
+    std::vector<std::string> const& notes() const { return notes_; }
     //! Contents of the files that it names.
     rig::Files const& files() const;
 
@@ -186,8 +191,8 @@ class CampaignInput
 
   private:
     std::string text_, resolved_text_;
-    std::vector<std::string> warnings_; //!< of the reading
-    struct Tree;                        //!< the resolved input, private to the reader
+    std::vector<std::string> warnings_, notes_; //!< of the reading
+    struct Tree;                                //!< the resolved input, private to the reader
     std::shared_ptr<Tree const> tree_;
 };
 

@@ -1,10 +1,12 @@
 #include "ensemble/input/base_input.hpp"
+#include "ensemble/input/curves.hpp"
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/nearest.hpp"
 #include "ensemble/input/nested_tables.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 
 namespace demens::ensemble::input {
 namespace {
@@ -48,28 +50,60 @@ void check_transform(InputTable const& table, Target const& target)
         throw table.error("value", "must be greater than 0 for transform = \"log\"");
 }
 
-std::vector<Target> read_targets(InputTable const& targets, std::string const& rig,
-                                 std::vector<rig::ResponseInfo> const& infos)
+Target read_response_target(InputTable const& table, std::string const& name, int response)
 {
-    std::vector<std::string> responses;
-    for (auto const& response : infos)
-        responses.push_back(response.name);
+    auto const values = table.read(target_options());
+    Target target{name,
+                  response,
+                  values.number("value"),
+                  values.number("scale"),
+                  values.number("sd"),
+                  values.number("tolerance"),
+                  *find_word<TransformKind>(values.text("transform")),
+                  values.number("lower"),
+                  values.number("upper")};
+    check_transform(table, target);
+    return target;
+}
 
-    std::vector<Target> read;
+//! Reads `target.RESPONSE` and `target.CURVE` of the last experiment in `base`. \return what is said of them
+std::vector<std::string> read_targets(InputTable const& targets, BaseInput& base, FileSource const& files,
+                                      Experiment& experiment)
+{
+    auto const infos = experiment.responses; // those of the rig; curves add theirs
+    std::vector<std::string> known;
+    for (auto const& response : infos)
+        known.push_back(response.name);
+    std::optional<std::vector<RigCurve>> curves;
+    std::vector<std::string> notes;
     for (auto const& name : targets.keys()) {
-        auto const found = std::find(responses.begin(), responses.end(), name);
-        if (found == responses.end())
-            throw targets.error(
-                name, fmt::format("the rig {} has no such response; {}", rig, suggestion(name, responses)));
         auto const table = targets.table(name);
-        auto const values = table.read(target_options());
-        read.push_back({name, static_cast<int>(found - responses.begin()), values.number("value"),
-                        values.number("scale"), values.number("sd"), values.number("tolerance"),
-                        *find_word<TransformKind>(values.text("transform")), values.number("lower"),
-                        values.number("upper")});
-        check_transform(table, read.back());
+        auto const response = std::find(known.begin(), known.end(), name);
+        if (response != known.end() && !table.has("file")) {
+            experiment.targets.push_back(
+                read_response_target(table, name, static_cast<int>(response - known.begin())));
+            continue;
+        }
+        if (!curves)
+            curves = curves_of(*experiment.rig, base);
+        auto const curve =
+            std::find_if(curves->begin(), curves->end(), [&](auto const& c) { return c.name == name; });
+        if (curve == curves->end()) {
+            std::vector<std::string> of_rig;
+            for (auto const& c : *curves)
+                of_rig.push_back(c.name);
+            if (!table.has("file"))
+                throw targets.error(name, fmt::format("the rig {} has no such response; {}",
+                                                      experiment.rig->name, suggestion(name, known)));
+            throw targets.error(name, of_rig.empty()
+                                          ? fmt::format("the rig {} records no curves", experiment.rig->name)
+                                          : fmt::format("the rig {} records no such curve; {}",
+                                                        experiment.rig->name, suggestion(name, of_rig)));
+        }
+        for (auto& note : read_curve_target(table, *curve, files, base.files, experiment))
+            notes.push_back(std::move(note));
     }
-    return read;
+    return notes;
 }
 
 } // namespace
@@ -103,11 +137,15 @@ ReadExperiments read_experiments(InputTable const& file, BaseInput& base,
         read_tables(table, rig.tables, rig_values);
         check_references(table, rig, rig_values, base);
         read_files(table, rig, rig_values, files, base.files);
-        auto responses = rig::responses_of(rig, rig_values);
-        auto targets = read_targets(table.table("target"), rig.name, responses);
-        read.experiments.push_back({name, &rig, static_cast<int>(values.integer("replicates")),
-                                    std::move(responses), std::move(targets)});
+        Experiment experiment{.name = name,
+                              .rig = &rig,
+                              .replicates = static_cast<int>(values.integer("replicates")),
+                              .responses = rig::responses_of(rig, rig_values),
+                              .targets = {}};
         base.experiments.push_back(std::move(rig_values));
+        for (auto& note : read_targets(table.table("target"), base, files, experiment))
+            read.notes.push_back(std::move(note));
+        read.experiments.push_back(std::move(experiment));
     }
     if (read.experiments.empty())
         throw file.error("there is no experiment; give at least one table [[experiment]]");

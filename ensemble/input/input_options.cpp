@@ -76,6 +76,81 @@ std::vector<OptionSpec> const& target_options()
     return specs;
 }
 
+std::vector<OptionSpec> const& curve_options()
+{
+    static std::vector<OptionSpec> const specs = {
+        {.key = "file",
+         .default_value = word,
+         .doc = "CSV file of the measured curve; its columns carry units, as t_s or \"mass [g]\"",
+         .required = true,
+         .names_file = true},
+        {.key = "time", .default_value = word, .doc = "column of the time, for a reading of the series"},
+        {.key = "axis", .default_value = word, .doc = "column of the axis, for a profile"},
+        {.key = "value", .default_value = word, .doc = "column of the values", .required = true},
+        {.key = "sd",
+         .default_value = not_given,
+         .doc = "standard deviation of a point, in the unit of the values; not given: seen in their scatter",
+         .lower = positive},
+        {.key = "scale",
+         .default_value = not_given,
+         .doc = "root mean square deviation that counts as one, same unit; not given: sd",
+         .lower = positive},
+        {.key = "tolerance",
+         .default_value = not_given,
+         .doc = "deviation of the mean of a window that is good enough, same unit",
+         .lower = 0},
+        {.key = "from", .default_value = not_given, .doc = "compared from here on, in the unit of the axis"},
+        {.key = "to", .default_value = not_given, .doc = "compared up to here, in the unit of the axis"},
+        {.key = "windows",
+         .default_value = std::int64_t{0},
+         .doc = "number of equal windows; 0: as many as scatter by themselves, 8 at the most",
+         .lower = 0,
+         .upper = 1000},
+        {.key = "shift",
+         .default_value = std::string("fixed"),
+         .doc = "whether the measured axis has the zero of the simulated one",
+         .choices = {"fixed", "free"}},
+        {.key = "offset",
+         .default_value = 0.0,
+         .doc = "added to the measured axis, in its unit; of a free shift the middle"},
+        {.key = "largest_shift",
+         .default_value = not_given,
+         .doc = "of a free shift, either way, in the unit of the axis; not given: a quarter of what is "
+                "compared",
+         .lower = positive},
+    };
+    return specs;
+}
+
+std::vector<OptionSpec> const& curve_window_options()
+{
+    static std::vector<OptionSpec> const specs = {
+        {.key = "name", .default_value = word, .doc = "its target is CURVE_NAME", .required = true},
+        {.key = "from",
+         .default_value = not_given,
+         .doc = "its beginning on the measured axis, in its unit; not given: that of the curve"},
+        {.key = "to",
+         .default_value = not_given,
+         .doc = "its end on the measured axis, in its unit; not given: that of the curve"},
+        {.key = "from_share",
+         .default_value = not_given,
+         .doc = "instead of `from`: where the curve has gone so much of the way from its first to its last "
+                "value",
+         .lower = 0,
+         .upper = 1},
+        {.key = "to_share",
+         .default_value = not_given,
+         .doc = "instead of `to`: where the curve has gone so much of that way",
+         .lower = 0,
+         .upper = 1},
+        {.key = "weight",
+         .default_value = 1.0,
+         .doc = "in the objective, beside the others",
+         .lower = positive},
+    };
+    return specs;
+}
+
 std::vector<OptionSpec> const& factor_options()
 {
     static std::vector<OptionSpec> const specs = {
@@ -186,6 +261,12 @@ std::vector<SectionInfo> const& all_sections()
          experiment_options()},
         {"target.RESPONSE", "in an experiment: a measured value that the response of the rig should meet",
          target_options()},
+        {"target.CURVE",
+         "in an experiment: a measured curve that a reading of the series of the rig, or a profile, should "
+         "meet",
+         curve_options()},
+        {"target.CURVE.window", "a part of the curve with a name; instead of `windows`",
+         curve_window_options()},
         {"[[factor]]", "a number of the input that is to be found", factor_options(), factor_lists()},
         {"[[constraint]]", "what the factors must satisfy together", constraint_options()},
         {"[screening]", "a wave before the design that finds out which factors act",

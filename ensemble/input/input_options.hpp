@@ -29,6 +29,8 @@ struct SectionInfo
 std::vector<OptionSpec> const& campaign_options();
 std::vector<OptionSpec> const& experiment_options();
 std::vector<OptionSpec> const& target_options();
+std::vector<OptionSpec> const& curve_options();
+std::vector<OptionSpec> const& curve_window_options();
 std::vector<OptionSpec> const& factor_options();
 std::vector<OptionSpec> const& constraint_options();
 std::vector<ListSpec> const& size_distribution_lists();

@@ -98,6 +98,34 @@ void write_base(Writer& out, BaseInput const& base)
     }
 }
 
+//! Keys and values in one line: `{ value = 1, scale = 0.1 }`; tables `window` with them.
+std::string in_line(std::vector<OptionSpec> const& specs, OptionValues const& values)
+{
+    std::string members;
+    auto const add = [&](std::string const& key, std::string const& value) {
+        members += fmt::format("{}{} = {}", members.empty() ? "" : ", ", key, value);
+    };
+    for (auto const& spec : specs)
+        if (auto const& value = values.all().at(spec.key); !is_absent(value))
+            add(spec.key, text_of(value));
+    if (auto const& windows = values.tables("window"); !windows.empty())
+        add("window", list(windows, [](OptionValues const& window) {
+                return in_line(curve_window_options(), window);
+            }));
+    return "{ " + members + " }";
+}
+
+//! Keys of a curve that can be read again.
+std::vector<OptionSpec> curve_specs(CurveTarget const& curve)
+{
+    auto specs = curve_options();
+    std::erase_if(specs, [&](OptionSpec const& spec) {
+        return spec.key == (curve.is_profile ? "time" : "axis") ||
+               (spec.key == "windows" && !curve.given.tables("window").empty());
+    });
+    return specs;
+}
+
 void write_experiment(Writer& out, Experiment const& experiment, OptionValues const& rig_values)
 {
     out.heading("[[experiment]]");
@@ -108,6 +136,8 @@ void write_experiment(Writer& out, Experiment const& experiment, OptionValues co
     out.options(experiment_options(), header);
     out.options(experiment.rig->options, rig_values);
     for (auto const& target : experiment.targets) {
+        if (target.curve >= 0)
+            continue; // stands with its curve
         OptionValues values;
         values.set("value", target.value);
         values.set("scale", target.scale);
@@ -116,13 +146,11 @@ void write_experiment(Writer& out, Experiment const& experiment, OptionValues co
         values.set("transform", std::string(word_for(target.transform)));
         values.set("lower", target.lower);
         values.set("upper", target.upper);
-        std::string members;
-        for (auto const& spec : target_options())
-            if (auto const& value = values.all().at(spec.key); !is_absent(value))
-                members += fmt::format("{}{} = {}", members.empty() ? "" : ", ", spec.key, text_of(value));
         auto const& response = experiment.responses[static_cast<std::size_t>(target.response_index)];
-        out.line("target." + target.response, "{ " + members + " }", response.doc);
+        out.line("target." + target.response, in_line(target_options(), values), response.doc);
     }
+    for (auto const& curve : experiment.curves)
+        out.line("target." + curve.name, in_line(curve_specs(curve), curve.given), "a measured curve");
     out.tables("experiment", experiment.rig->tables, rig_values);
 }
 

@@ -52,8 +52,8 @@ rig::RunResult simulate(CampaignInput const& input, RunRecord const& plan, rig::
     auto const& experiment = input.experiments.at(static_cast<std::size_t>(plan.experiment));
     rig::RunResult result;
     try {
-        result = experiment.rig->run(
-            input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate), hooks);
+        result = run_experiment(
+            experiment, input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate), hooks);
     } catch (rig::RunInterrupted const&) {
         throw;
     } catch (std::bad_alloc const&) {
@@ -82,6 +82,17 @@ double predicted_cost(CampaignInput const& input, RunRecord const& plan)
 }
 
 } // namespace
+
+rig::RunResult run_experiment(Experiment const& experiment, rig::RunInput const& input,
+                              rig::RunHooks const& hooks)
+{
+    auto result = experiment.rig->run(input, hooks);
+    if (result.status == rig::RunStatus::finished)
+        for (auto const& curve : experiment.curves)
+            for (double const response : responses_of(curve, result))
+                result.responses.push_back(response);
+    return result;
+}
 
 FinishedRun execute(CampaignInput const& input, RunRecord const& plan, rig::RunHooks const& hooks)
 {

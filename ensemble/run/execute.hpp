@@ -8,6 +8,10 @@
 
 namespace demens::ensemble {
 
+//! Simulates, and compares with the measured curves of the experiment. \throws rig::RunInterrupted
+rig::RunResult run_experiment(Experiment const& experiment, rig::RunInput const& input,
+                              rig::RunHooks const& hooks);
+
 //! Simulates one planned run. Whatever goes wrong in it is its status and reason. \throws rig::RunInterrupted
 FinishedRun execute(CampaignInput const& input, RunRecord const& plan, rig::RunHooks const& hooks);
 
