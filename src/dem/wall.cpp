@@ -1,7 +1,5 @@
 #include "demens/dem/wall.hpp"
 
-#include <cmath>
-
 namespace demens::dem {
 
 std::array<Rectangle, 6> box_sides(Vector3 const& lower, Vector3 const& upper)
@@ -18,21 +16,17 @@ std::array<Rectangle, 6> box_sides(Vector3 const& lower, Vector3 const& upper)
 
 namespace {
 
-double extent_of(Rectangle const& r)
+//! Puts the numbers of a shape elsewhere.
+struct Placer
 {
-    return std::hypot(r.half_u, r.half_v);
-}
-template <RoundShape Shape>
-double extent_of(Shape const& shape)
-{
-    Meridian const m = meridian(shape);
-    return std::fmax(std::hypot(m.height_start, m.radius_start), std::hypot(m.height_end, m.radius_end));
-}
+    Placement const& to;
 
-double extent_of(Mesh const& mesh)
-{
-    return mesh.mesh->extent();
-}
+    void point(Vector3& p) const { p = to(p); }
+    void direction(Vector3& v) const { v = to.rotation(v); }
+    void placement(Placement& p) const { p = to * p; }
+    void number(double const&) const {}
+    void side(RoundSide const&) const {}
+};
 
 template <class Shape>
 Vector3 centre_of(Shape const& shape)
@@ -44,34 +38,17 @@ Vector3 centre_of(Mesh const& mesh)
     return mesh.placement(mesh.mesh->centre());
 }
 
-void place(Mesh& mesh, Placement const& placement)
-{
-    mesh.placement = placement * mesh.placement;
-}
-void place(Rectangle& r, Placement const& placement)
-{
-    r.centre = placement(r.centre);
-    r.axis_u = placement.rotation(r.axis_u);
-    r.axis_v = placement.rotation(r.axis_v);
-}
-template <RoundShape Shape>
-void place(Shape& shape, Placement const& placement)
-{
-    shape.centre = placement(shape.centre);
-    shape.axis = placement.rotation(shape.axis);
-}
-
 } // namespace
 
 double extent(WallShape const& shape)
 {
-    return std::visit([](auto const& s) { return extent_of(s); }, shape);
+    return std::visit([](auto const& s) { return extent(s); }, shape);
 }
 
 WallShape placed(WallShape const& shape, Placement const& placement)
 {
     WallShape result = shape;
-    std::visit([&](auto& s) { place(s, placement); }, result);
+    std::visit([&](auto& s) { fields(s, Placer{placement}); }, result);
     return result;
 }
 

@@ -1,5 +1,6 @@
 // The walls in the record of a simulation.
-#include "src/dem/record_fields.hpp"
+#include "demens/base/contract.hpp"
+#include "demens/dem/record_fields.hpp"
 #include "src/dem/wall_set.hpp"
 
 #include <array>
@@ -17,85 +18,28 @@ struct Row
     std::array<double, columns> numbers{};
 };
 
-//! Appends numbers to a row.
-struct RowWriter
+//! What is done with the numbers of a shape or a motion, whatever they mean.
+template <class Each>
+struct OfNumbers
 {
-    double* to;
+    Each each; //!< number
 
-    void operator()(double const& x) { *to++ = x; }
-    void operator()(Vector3 const& v) { (*this)(v.x), (*this)(v.y), (*this)(v.z); }
-    void operator()(RoundSide const& side) { (*this)(static_cast<double>(side)); }
-};
-//! Takes them out again.
-struct RowReader
-{
-    double const* from;
-
-    void operator()(double& x) { x = *from++; }
-    void operator()(Vector3& v) { (*this)(v.x), (*this)(v.y), (*this)(v.z); }
-    void operator()(RoundSide& side)
+    void number(auto& x) { each(x); }
+    void direction(auto& v) { each(v.x), each(v.y), each(v.z); }
+    void point(auto& p) { direction(p); }
+    void placement(auto& p)
     {
-        double number = 0;
-        (*this)(number);
+        direction(p.rotation.x), direction(p.rotation.y), direction(p.rotation.z), point(p.shift);
+    }
+    void side(RoundSide& side)
+    {
+        auto number = static_cast<double>(side);
+        each(number);
         if (!(number >= 0 && number <= 3 && number == std::floor(number)))
             throw InputError("the state record has a wall that is touched on a side that there is not");
         side = static_cast<RoundSide>(number);
     }
 };
-
-// The numbers of each kind of shape and motion, in the order of the row.
-
-template <class Visit>
-void visit(Rectangle& r, Visit&& of)
-{
-    of(r.centre), of(r.axis_u), of(r.axis_v), of(r.half_u), of(r.half_v);
-}
-template <class Visit>
-void visit(Disc& d, Visit&& of)
-{
-    of(d.centre), of(d.axis), of(d.radius);
-}
-template <class Visit>
-void visit(Cylinder& c, Visit&& of)
-{
-    of(c.centre), of(c.axis), of(c.half_length), of(c.radius), of(c.side);
-}
-template <class Visit>
-void visit(Cone& c, Visit&& of)
-{
-    of(c.centre), of(c.axis), of(c.half_length), of(c.radius_start), of(c.radius_end), of(c.side);
-}
-template <class Visit>
-void visit(Mesh& m, Visit&& of)
-{
-    of(m.placement.rotation.x), of(m.placement.rotation.y), of(m.placement.rotation.z);
-    of(m.placement.shift);
-}
-template <class Visit>
-void visit(Translate& m, Visit&& of)
-{
-    of(m.velocity);
-}
-template <class Visit>
-void visit(Rotate& m, Visit&& of)
-{
-    of(m.point), of(m.axis), of(m.rate);
-}
-template <class Visit>
-void visit(Shake& m, Visit&& of)
-{
-    of(m.amplitude), of(m.frequency), of(m.phase);
-}
-template <class Visit>
-void visit(Swing& m, Visit&& of)
-{
-    of(m.point), of(m.axis), of(m.amplitude), of(m.frequency), of(m.phase);
-}
-template <class Visit>
-void visit(Convey& m, Visit&& of)
-{
-    of(m.velocity);
-}
 
 using ShapeRow = Row<12>;
 using MotionRow = Row<9>;
@@ -103,7 +47,12 @@ using MotionRow = Row<9>;
 template <class Variant, class RowType>
 void write_row(Variant value, RowType& row)
 {
-    std::visit([&](auto& alternative) { visit(alternative, RowWriter{row.numbers.data()}); }, value);
+    auto to = row.numbers.begin();
+    auto const write = [&](double x) {
+        DEMENS_EXPECT(to != row.numbers.end(), "a row has as many columns as a shape has numbers");
+        *to++ = x;
+    };
+    std::visit([&](auto& alternative) { fields(alternative, OfNumbers{write}); }, value);
 }
 //! \throws InputError for a kind that there is not.
 template <class Variant, class RowType>
@@ -111,11 +60,13 @@ Variant read_row(std::uint32_t kind, RowType const& row)
 {
     Variant value;
     bool found = false;
+    auto from = row.numbers.begin();
+    auto const read = [&](double& x) { x = *from++; };
     auto const try_kind = [&]<std::size_t k>() {
         if (kind != k)
             return;
         found = true;
-        visit(value.template emplace<k>(), RowReader{row.numbers.data()});
+        fields(value.template emplace<k>(), OfNumbers{read});
     };
     [&]<std::size_t... k>(std::index_sequence<k...>)
     {

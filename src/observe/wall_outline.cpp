@@ -17,23 +17,30 @@ void add_triangle(Snapshot& snapshot, Vector3 const& a, Vector3 const& b, Vector
     snapshot.wall_triangles.push_back({a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z});
 }
 
+//! Whether a direction is that of an axis.
+bool is_along_axis(Vector3 const& unit)
+{
+    return std::max({std::abs(unit.x), std::abs(unit.y), std::abs(unit.z)}) > 1 - 1e-12;
+}
+
+template <dem::Polygon Shape>
+void add(Snapshot& snapshot, Shape const& shape)
+{
+    auto const all = corners(shape);
+    for (std::size_t k = 0; k < all.size(); ++k)
+        add_line(snapshot, all[k], all[(k + 1) % all.size()]);
+    for (std::size_t k = 2; k < all.size(); ++k)
+        add_triangle(snapshot, all[0], all[k - 1], all[k]);
+}
+
 void add(Snapshot& snapshot, dem::Rectangle const& r)
 {
-    Vector3 const u = r.half_u * r.axis_u, v = r.half_v * r.axis_v;
-    Vector3 const normal = cross(r.axis_u, r.axis_v);
-    double const along = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
-    double const side = std::max({std::abs(r.axis_u.x), std::abs(r.axis_u.y), std::abs(r.axis_u.z)});
-    if (along > 1 - 1e-12 && side > 1 - 1e-12) {
-        Vector3 const a = r.centre - u - v, b = r.centre + u + v;
-        snapshot.walls.push_back({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z),
-                                  std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)});
-        return;
-    }
-    Vector3 const corners[4] = {r.centre - u - v, r.centre + u - v, r.centre + u + v, r.centre - u + v};
-    for (int k = 0; k < 4; ++k)
-        add_line(snapshot, corners[k], corners[(k + 1) % 4]);
-    add_triangle(snapshot, corners[0], corners[1], corners[2]);
-    add_triangle(snapshot, corners[0], corners[2], corners[3]);
+    if (!is_along_axis(cross(r.axis_u, r.axis_v)) || !is_along_axis(r.axis_u))
+        return add<dem::Rectangle>(snapshot, r);
+    auto const all = corners(r);
+    Vector3 const &a = all[0], &b = all[2];
+    snapshot.walls.push_back({std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z), std::max(a.x, b.x),
+                              std::max(a.y, b.y), std::max(a.z, b.z)});
 }
 
 template <dem::RoundShape Shape>

@@ -50,6 +50,23 @@ std::vector<std::string> size_warnings(shape::SizeDistribution const& sizes, dou
     return warning.empty() ? std::vector<std::string>{} : std::vector{std::move(warning)};
 }
 
+void check_bulk_density(double bulk_density, double density)
+{
+    if (bulk_density >= densest * density)
+        throw InputError(
+            fmt::format("a bulk density of {:.5g} kg/m^3 cannot be reached: spheres of density {:.5g} kg/m^3 "
+                        "pack to at most {} of it",
+                        bulk_density, density, densest));
+}
+
+void check_room(char const* key, double length, double largest)
+{
+    if (length < 1.05 * largest)
+        throw InputError(fmt::format(
+            "no room for the particles: {} = {:.4g} must be larger than the largest particle, {:.4g} mm", key,
+            1e3 * length, 1e3 * largest));
+}
+
 double skin_of(OptionValues const& options, shape::SizeDistribution const& sizes)
 {
     return options.number("skin") * 0.5 * sizes.mean_volume_diameter();

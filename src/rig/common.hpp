@@ -41,6 +41,11 @@ shape::SizeDistribution const& size_distribution_of(RunInput const& input);
 //! What the spheres of a mass [kg] miss of it and of their sizes: a warning or none. \throws InputError where
 //! a class of sizes gets no sphere
 std::vector<std::string> size_warnings(shape::SizeDistribution const& sizes, double mass, double density);
+constexpr double densest = 0.74; //!< solid fraction of equal spheres that nothing exceeds
+//! \throws InputError for a bulk density that no spheres of a density reach [kg/m^3]
+void check_bulk_density(double bulk_density, double density);
+//! \throws InputError for a length that a key gives and that is too narrow for the largest particle [m]
+void check_room(char const* key, double length, double largest);
 //! What the key `skin` of a bed says [m].
 double skin_of(OptionValues const& options, shape::SizeDistribution const& sizes);
 

@@ -14,10 +14,6 @@ inline OptionSpec word(std::string key, std::string doc)
 {
     return {.key = std::move(key), .default_value = std::string(), .doc = std::move(doc)};
 }
-inline OptionSpec required_word(std::string key, std::string doc)
-{
-    return {.key = std::move(key), .default_value = std::string(), .doc = std::move(doc), .required = true};
-}
 inline OptionSpec choice(std::string key, std::vector<std::string> choices, std::string doc)
 {
     auto const first = choices.front();
@@ -30,6 +26,28 @@ inline OptionSpec entry(std::string key, std::string of, std::string doc)
             .default_value = std::string(),
             .doc = std::move(doc),
             .names_entry_of = std::move(of)};
+}
+inline OptionSpec words(std::string key, std::string doc, std::vector<std::string> choices)
+{
+    return {.key = std::move(key),
+            .default_value = std::vector<std::string>{},
+            .doc = std::move(doc),
+            .choices = std::move(choices)};
+}
+inline OptionSpec entries(std::string key, std::string of, std::string doc)
+{
+    return {.key = std::move(key),
+            .default_value = std::vector<std::string>{},
+            .doc = std::move(doc),
+            .names_entry_of = std::move(of)};
+}
+inline OptionSpec file(std::string key, std::string doc)
+{
+    return {.key = std::move(key),
+            .default_value = std::string(),
+            .doc = std::move(doc),
+            .required = true,
+            .names_file = true};
 }
 inline OptionSpec required(OptionSpec spec)
 {
@@ -55,6 +73,10 @@ inline OptionSpec flag(std::string key, bool value, std::string doc)
 inline OptionSpec vector(std::string key, Vector3 value, std::string doc)
 {
     return {.key = std::move(key), .default_value = value, .doc = std::move(doc)};
+}
+inline OptionSpec required_word(std::string key, std::string doc)
+{
+    return required(word(std::move(key), std::move(doc)));
 }
 inline OptionSpec required_vector(std::string key, std::string doc)
 {

@@ -1,34 +1,26 @@
 #include "demens/rig/rig.hpp"
 
+#include "demens/base/words.hpp"
 #include "src/rig/rigs.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace demens::rig {
 
 char const* name_of(RunStatus status)
 {
-    switch (status) {
-    case RunStatus::not_run:
-        return "not run";
-    case RunStatus::finished:
-        return "finished";
-    case RunStatus::not_a_number:
-        return "not a number";
-    case RunStatus::escaped:
-        return "escaped";
-    case RunStatus::overlapping:
-        return "overlapping";
-    case RunStatus::timed_out:
-        return "timed out";
-    case RunStatus::error:
-        return "error";
-    case RunStatus::quarantined:
-        return "quarantined";
-    case RunStatus::unbalanced:
-        return "energy not balanced";
-    }
-    return "unknown";
+    static constexpr std::array<Word<RunStatus>, 9> names = {
+        {{RunStatus::not_run, "not run"},
+         {RunStatus::finished, "finished"},
+         {RunStatus::not_a_number, "not a number"},
+         {RunStatus::escaped, "escaped"},
+         {RunStatus::overlapping, "overlapping"},
+         {RunStatus::timed_out, "timed out"},
+         {RunStatus::error, "error"},
+         {RunStatus::quarantined, "quarantined"},
+         {RunStatus::unbalanced, "energy not balanced"}}};
+    return word_for(names, status);
 }
 
 std::vector<ResponseInfo> responses_of(RigInfo const& rig, OptionValues const& experiment)

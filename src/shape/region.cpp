@@ -6,6 +6,15 @@
 namespace demens::shape {
 namespace {
 
+Vector3 smallest(Vector3 const& a, Vector3 const& b)
+{
+    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+Vector3 largest(Vector3 const& a, Vector3 const& b)
+{
+    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
 bool holds(BoxRegion const& box, Vector3 const& p, double r)
 {
     return p.x - r >= box.lower.x && p.y - r >= box.lower.y && p.z - r >= box.lower.z &&
@@ -58,8 +67,7 @@ BoxRegion box_of(CylinderRegion const& cylinder)
         return cylinder.radius * std::sqrt(std::max(0.0, 1 - component * component));
     };
     Vector3 const r{reach(axis.x), reach(axis.y), reach(axis.z)};
-    return {Vector3{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)} - r,
-            Vector3{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)} + r};
+    return {smallest(a, b) - r, largest(a, b) + r};
 }
 
 BoxRegion box_of(BallRegion const& ball)
@@ -83,6 +91,11 @@ double volume(Region const& region)
 BoxRegion bounds(Region const& region)
 {
     return std::visit([](auto const& shape) { return box_of(shape); }, region);
+}
+
+BoxRegion hull(BoxRegion const& a, BoxRegion const& b)
+{
+    return {smallest(a.lower, b.lower), largest(a.upper, b.upper)};
 }
 
 } // namespace demens::shape

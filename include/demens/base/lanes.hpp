@@ -19,17 +19,28 @@ DEMENS_INLINE void store_four(double* to, Four const& value)
     *reinterpret_cast<Four*>(to) = value;
 }
 
+//! Four numbers out of eight: those of `a` are 0 to 3, those of `b` 4 to 7.
+template <int... numbers>
+DEMENS_INLINE Four picked(Four const& a, Four const& b)
+{
+#if defined(__clang__) // also the reader of clang-tidy
+    return __builtin_shufflevector(a, b, numbers...);
+#else
+    return __builtin_shuffle(a, b, FourMask{numbers...});
+#endif
+}
+
 //! Rows become columns: four records of four numbers become four numbers each of four records, and back.
 DEMENS_INLINE void transpose(Four& a, Four& b, Four& c, Four& d)
 {
-    Four const ab_low = __builtin_shuffle(a, b, FourMask{0, 4, 2, 6});
-    Four const ab_high = __builtin_shuffle(a, b, FourMask{1, 5, 3, 7});
-    Four const cd_low = __builtin_shuffle(c, d, FourMask{0, 4, 2, 6});
-    Four const cd_high = __builtin_shuffle(c, d, FourMask{1, 5, 3, 7});
-    a = __builtin_shuffle(ab_low, cd_low, FourMask{0, 1, 4, 5});
-    b = __builtin_shuffle(ab_high, cd_high, FourMask{0, 1, 4, 5});
-    c = __builtin_shuffle(ab_low, cd_low, FourMask{2, 3, 6, 7});
-    d = __builtin_shuffle(ab_high, cd_high, FourMask{2, 3, 6, 7});
+    Four const ab_low = picked<0, 4, 2, 6>(a, b);
+    Four const ab_high = picked<1, 5, 3, 7>(a, b);
+    Four const cd_low = picked<0, 4, 2, 6>(c, d);
+    Four const cd_high = picked<1, 5, 3, 7>(c, d);
+    a = picked<0, 1, 4, 5>(ab_low, cd_low);
+    b = picked<0, 1, 4, 5>(ab_high, cd_high);
+    c = picked<2, 3, 6, 7>(ab_low, cd_low);
+    d = picked<2, 3, 6, 7>(ab_high, cd_high);
 }
 
 } // namespace demens

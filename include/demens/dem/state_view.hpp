@@ -105,7 +105,7 @@ class StateView
 
   private:
     Records records_;
-    Fields read_;
+    [[maybe_unused]] Fields read_; // for contracts
     CatchUp catch_up_;
 };
 

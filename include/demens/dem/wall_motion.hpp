@@ -45,6 +45,30 @@ struct Convey
     Vector3 velocity; //!< [m/s]
 };
 
+// The numbers of each law, to be written and read, as those of shapes.
+
+void fields(Translate& m, auto&& of)
+{
+    of.direction(m.velocity);
+}
+void fields(Rotate& m, auto&& of)
+{
+    of.point(m.point), of.direction(m.axis), of.number(m.rate);
+}
+void fields(Shake& m, auto&& of)
+{
+    of.direction(m.amplitude), of.number(m.frequency), of.number(m.phase);
+}
+void fields(Swing& m, auto&& of)
+{
+    of.point(m.point), of.direction(m.axis), of.number(m.amplitude), of.number(m.frequency);
+    of.number(m.phase);
+}
+void fields(Convey& m, auto&& of)
+{
+    of.direction(m.velocity);
+}
+
 //! One motion of a wall and when it lasts; after its end the wall stays where it has brought it.
 struct WallMotion
 {

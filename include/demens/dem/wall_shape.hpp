@@ -4,13 +4,16 @@
 #include "demens/shape/triangle_mesh.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <variant>
 
 namespace demens::dem {
 
-// Surfaces without thickness; each touches a sphere at its point nearest to the centre, from either side.
+// Surfaces without thickness; each touches a sphere at its point nearest to the centre, from either side. All
+// that has to be known of a shape stands here: its numbers, its point nearest to another one, its normal
+// there, and the line or the corners that it is drawn with.
 
 //! A flat rectangle; a plane is a rectangle larger than the domain.
 struct Rectangle
@@ -69,6 +72,44 @@ struct Mesh
 };
 
 using WallShape = std::variant<Rectangle, Disc, Cylinder, Cone, Mesh>;
+
+// The numbers of each shape, to be moved, written and read: each is a point, a direction, a number (which
+// stays where the shape is put elsewhere), a side or a placement.
+
+void fields(Rectangle& r, auto&& of)
+{
+    of.point(r.centre), of.direction(r.axis_u), of.direction(r.axis_v), of.number(r.half_u);
+    of.number(r.half_v);
+}
+void fields(Disc& d, auto&& of)
+{
+    of.point(d.centre), of.direction(d.axis), of.number(d.radius);
+}
+void fields(Cylinder& c, auto&& of)
+{
+    of.point(c.centre), of.direction(c.axis), of.number(c.half_length), of.number(c.radius), of.side(c.side);
+}
+void fields(Cone& c, auto&& of)
+{
+    of.point(c.centre), of.direction(c.axis), of.number(c.half_length), of.number(c.radius_start);
+    of.number(c.radius_end), of.side(c.side);
+}
+void fields(Mesh& m, auto&& of)
+{
+    of.placement(m.placement);
+}
+
+//! A flat shape with straight sides: its corners, one after another around it [m].
+inline std::array<Vector3, 4> corners(Rectangle const& r)
+{
+    Vector3 const u = r.half_u * r.axis_u, v = r.half_v * r.axis_v;
+    return {r.centre - u - v, r.centre + u - v, r.centre + u + v, r.centre - u + v};
+}
+template <class Shape>
+concept Polygon = requires(Shape const& shape)
+{
+    corners(shape);
+};
 
 //! The six sides of a box along the axes, to be touched from inside or outside.
 std::array<Rectangle, 6> box_sides(Vector3 const& lower, Vector3 const& upper);
@@ -183,6 +224,23 @@ DEMENS_FUNCTION Vector3 normal(Shape const& shape, Vector3 const& p)
 }
 
 //! Distance of the farthest point from the centre [m].
+inline double extent(Rectangle const& r)
+{
+    return std::hypot(r.half_u, r.half_v);
+}
+template <RoundShape Shape>
+double extent(Shape const& shape)
+{
+    Meridian const m = meridian(shape);
+    return std::fmax(std::hypot(m.height_start, m.radius_start), std::hypot(m.height_end, m.radius_end));
+}
+inline double extent(Mesh const& mesh)
+{
+    return mesh.mesh->extent();
+}
+
+// Of any shape.
+
 double extent(WallShape const& shape);
 //! The shape put elsewhere.
 WallShape placed(WallShape const& shape, Placement const& placement);

@@ -34,5 +34,7 @@ double volume(Region const& region); //!< [m^3]; 0 or less: there is no such reg
 
 //! Box along the axes that holds a region [m].
 BoxRegion bounds(Region const& region);
+//! Smallest box along the axes that holds two of them.
+BoxRegion hull(BoxRegion const& a, BoxRegion const& b);
 
 } // namespace demens::shape

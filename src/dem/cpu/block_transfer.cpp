@@ -100,10 +100,10 @@ DEMENS_MULTIVERSION void gather_pairs_into(ContactBlock& b, ContactList const& l
             if constexpr (periodic)
                 difference =
                     difference - (difference > half ? length : none) + (difference < -half ? length : none);
-            apart[k] = __builtin_shuffle(difference, place_i[k], FourMask{0, 1, 2, 7});
-            faster[k] = __builtin_shuffle(motion_i[k] - motion_j[k], motion_i[k], FourMask{0, 1, 2, 7});
-            spin_i[k] = __builtin_shuffle(spin_i[k], place_j[k], FourMask{0, 1, 2, 7});
-            spin_j[k] = __builtin_shuffle(spin_j[k], motion_j[k], FourMask{0, 1, 2, 7});
+            apart[k] = picked<0, 1, 2, 7>(difference, place_i[k]);
+            faster[k] = picked<0, 1, 2, 7>(motion_i[k] - motion_j[k], motion_i[k]);
+            spin_i[k] = picked<0, 1, 2, 7>(spin_i[k], place_j[k]);
+            spin_j[k] = picked<0, 1, 2, 7>(spin_j[k], motion_j[k]);
         }
         spread(apart[0], apart[1], apart[2], apart[3], b.dx + l, b.dy + l, b.dz + l, b.radius_i + l);
         spread(faster[0], faster[1], faster[2], faster[3], b.vx + l, b.vy + l, b.vz + l, b.mass_i + l);
@@ -164,7 +164,7 @@ DEMENS_MULTIVERSION void gather_wall_contacts_into(ContactBlock& b, ContactList 
         spread(spin[0], spin[1], spin[2], spin[3], b.wix + l, b.wiy + l, b.wiz + l, b.mass_j + l);
         load_history(b, l, list.state.data(), stride);
     }
-    for (int from = 0, to; from < b.count; from = to) {
+    for (int from = 0, to = 0; from < b.count; from = to) {
         to = end_of_wall(b, list, from);
         contact::WallSurface const moving = walls[list.second[b.slot[from]]].surface();
         for (int l = from; l < (to < b.count ? to : padded); ++l) {

@@ -1,7 +1,7 @@
 // An engine's state to a record and back.
+#include "demens/dem/record_fields.hpp"
 #include "src/dem/cpu/cpu_engine.hpp"
 #include "src/dem/cpu/state_record.hpp"
-#include "src/dem/record_fields.hpp"
 
 #include <algorithm>
 

@@ -108,7 +108,7 @@ void find_joined(ContactList& list, std::vector<Place> const& places, std::vecto
             slots.push_back(s);
     std::stable_sort(slots.begin(), slots.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return list.first[a] < list.first[b]; });
-    for (std::size_t from = 0, to; from < slots.size(); from = to) {
+    for (std::size_t from = 0, to = 0; from < slots.size(); from = to) {
         to = from + 1;
         while (to < slots.size() && list.first[slots[to]] == list.first[slots[from]])
             ++to;

@@ -1,6 +1,6 @@
 #include "src/dem/cpu/state_record.hpp"
 
-#include "src/dem/record_fields.hpp"
+#include "demens/dem/record_fields.hpp"
 
 #include <utility>
 
@@ -49,8 +49,8 @@ void write_fit(StateRecord& record, Params const& params)
     RecordWriter write(record);
     write("fit/time_step", fit.time_step), write("fit/skin", fit.skin), write("fit/gravity", fit.gravity);
     write("fit/periods", fit.periods), write("fit/ledger", fit.ledger);
-    record.put("fit/materials", std::span<char const>(fit.materials));
-    write("fit/laws", fit.laws), write("fit/interaction", fit.interaction);
+    write("fit/materials", fit.materials), write("fit/laws", fit.laws),
+        write("fit/interaction", fit.interaction);
 }
 
 std::string in_words(bool on)
@@ -94,11 +94,13 @@ void check_fit(StateRecord const& record, Params const& params)
     check_fit(record, "fit/gravity", "gravity [m/s^2]", here.gravity);
     check_fit(record, "fit/ledger", "the energy ledger", here.ledger);
     check_same(record.get<double>("fit/periods"), here.periods, "periodic directions");
-    auto const materials = record.get<char>("fit/materials");
-    if (std::string(materials.begin(), materials.end()) != here.materials)
+    std::string materials;
+    RecordReader const read(record);
+    read("fit/materials", materials);
+    if (materials != here.materials)
         throw InputError(fmt::format("the state record is of a simulation with other materials; they must be "
                                      "the same, in the same order:\n{}",
-                                     std::string(materials.begin(), materials.end())));
+                                     materials));
     check_same(record.get<std::uint32_t>("fit/laws"), here.laws, "contact laws");
     check_same(record.get<std::uint32_t>("fit/interaction"), here.interaction, "pairs of materials");
 }

@@ -35,19 +35,21 @@ bool may_move(WallSet const& walls)
 FlatWall flattened(Wall const& wall)
 {
     FlatWall flat{};
-    flat.kind = !wall.active                                    ? FlatWall::Kind::absent
-                : std::holds_alternative<Rectangle>(wall.shape) ? FlatWall::Kind::rectangle
-                                                                : FlatWall::Kind::round;
+    flat.kind = FlatWall::Kind::absent;
     flat.material = wall.material.value;
     flat.surface = wall.surface();
+    if (!wall.active)
+        return flat;
     std::visit(
         [&]<class Shape>(Shape const& shape) {
             if constexpr (std::is_same_v<Shape, Rectangle>)
-                flat.rectangle = shape;
-            else if constexpr (RoundShape<Shape>)
+                flat.kind = FlatWall::Kind::rectangle, flat.rectangle = shape;
+            else if constexpr (is_known_shape<Shape>)
+                flat.kind = FlatWall::Kind::round,
                 flat.round = {shape.centre, shape.axis, meridian(shape), side_of(shape)};
-            else if (wall.active)
-                throw InputError("the engine \"cuda\" has no walls that are meshes; use the engine \"cpu\"");
+            else
+                throw InputError("the engine \"cuda\" does not know a wall's shape, e.g. a mesh; use the "
+                                 "engine \"cpu\"");
         },
         wall.shape);
     return flat;

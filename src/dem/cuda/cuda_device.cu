@@ -87,16 +87,6 @@ struct Launches
         require(cudaGetLastError());
     }
     template <class Kernel>
-    void over_particles(Kernel const& kernel) const
-    {
-        over(room.particles, kernel);
-    }
-    template <class Kernel>
-    void over_cells(Kernel const& kernel) const
-    {
-        over(room.cells, kernel);
-    }
-    template <class Kernel>
     void over_replicas(Kernel const& kernel) const
     {
         cuda::over_replicas<<<(room.slots + block_size - 1) / block_size, block_size, 0, stream>>>(
@@ -234,7 +224,7 @@ class CudaDevice final : public Device
     }
     void move(View const& from, View const& to) override
     {
-        Launches{from.room, stream_}.over_particles(MoveParticle{from, to});
+        Launches{from.room, stream_}.over(from.room.particles, MoveParticle{from, to});
         require(cudaStreamSynchronize(stream_));
     }
 

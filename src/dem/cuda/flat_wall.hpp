@@ -17,7 +17,11 @@ DEMENS_FUNCTION constexpr Meridian meridian(Round const& round)
     return round.line;
 }
 
-//! A wall as the device reads it; meshes are not among them.
+//! Whether devices know walls of this shape.
+template <class Shape>
+constexpr bool is_known_shape = std::is_same_v<Shape, Rectangle> || RoundShape<Shape>;
+
+//! A wall as the device reads it, of a shape that devices know.
 struct FlatWall
 {
     enum class Kind : std::uint32_t
@@ -39,7 +43,7 @@ struct FlatWall
     }
 };
 
-//! \throws InputError for a mesh.
+//! \throws InputError for a shape that devices do not know.
 FlatWall flattened(Wall const& wall);
 
 } // namespace demens::dem::cuda

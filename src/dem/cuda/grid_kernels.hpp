@@ -24,7 +24,7 @@ struct FindBounds
         Replica& r = v.replica[where.slot];
         if (!searches(r) || where.local >= r.particles)
             return;
-        Place& p = v.place[r.current * v.all + std::uint64_t{where.slot} * v.room.particles + where.local];
+        Place& p = v.place[r.current * v.all + v.first_of(where.slot) + where.local];
         if (r.periods.any()) {
             p.x = r.periods.x.wrapped(p.x);
             p.y = r.periods.y.wrapped(p.y);
@@ -120,7 +120,7 @@ struct ClearCells
     {
         Replica const& r = v.replica[where.slot];
         if (searches(r) && where.local <= cells_of(r) && where.local < v.room.cells)
-            v.cell_start[std::uint64_t{where.slot} * (v.room.cells + 1) + where.local] = 0;
+            v.cell_starts_of(where.slot)[where.local] = 0;
     }
 };
 
@@ -133,12 +133,11 @@ struct CountInCells
         Replica const& r = v.replica[where.slot];
         if (!searches(r) || where.local >= r.particles)
             return;
-        std::uint64_t const i = std::uint64_t{where.slot} * v.room.particles + where.local;
+        std::uint64_t const i = v.first_of(where.slot) + where.local;
         Cell const c = cell_at(r, v.place[r.current * v.all + i]);
         std::uint32_t const cell = number_of_cell(r, c.x, c.y, c.z);
         v.cell_of[i] = cell;
-        v.place_in_cell[i] =
-            add_atomically(&v.cell_start[std::uint64_t{where.slot} * (v.room.cells + 1) + cell], 1);
+        v.place_in_cell[i] = add_atomically(&v.cell_starts_of(where.slot)[cell], 1);
     }
 };
 
@@ -184,8 +183,7 @@ struct SumCells
             return;
         auto* const sums = v.sums + std::uint64_t{where.slot} * parts(v.room.cells);
         if (level == 0)
-            sum_parts(v.cell_start + std::uint64_t{where.slot} * (v.room.cells + 1), count, where.local,
-                      sums);
+            sum_parts(v.cell_starts_of(where.slot), count, where.local, sums);
         else
             sum_parts(sums, count, where.local,
                       v.sums_of_sums + std::uint64_t{where.slot} * parts(parts(v.room.cells)));
@@ -205,7 +203,7 @@ struct AddUpSums
         std::uint32_t const cells = cells_of(r);
         add_up(v.sums_of_sums + std::uint64_t{where.slot} * parts(parts(v.room.cells)), 0,
                parts(parts(cells)), 0);
-        v.cell_start[std::uint64_t{where.slot} * (v.room.cells + 1) + cells] = r.particles;
+        v.cell_starts_of(where.slot)[cells] = r.particles;
     }
 };
 
@@ -222,8 +220,7 @@ struct AddUpCells
         if (!searches(r) || where.local >= parts(count))
             return;
         auto* const sums = v.sums + std::uint64_t{where.slot} * parts(v.room.cells);
-        auto* const numbers =
-            level == 0 ? v.cell_start + std::uint64_t{where.slot} * (v.room.cells + 1) : sums;
+        auto* const numbers = level == 0 ? v.cell_starts_of(where.slot) : sums;
         std::uint32_t const before =
             level == 0 ? sums[where.local]
                        : v.sums_of_sums[std::uint64_t{where.slot} * parts(parts(v.room.cells)) + where.local];
@@ -242,9 +239,8 @@ struct FillCells
         Replica const& r = v.replica[where.slot];
         if (!searches(r) || where.local >= r.particles)
             return;
-        std::uint64_t const first = std::uint64_t{where.slot} * v.room.particles, i = first + where.local;
-        std::uint32_t const start =
-            v.cell_start[std::uint64_t{where.slot} * (v.room.cells + 1) + v.cell_of[i]];
+        std::uint64_t const first = v.first_of(where.slot), i = first + where.local;
+        std::uint32_t const start = v.cell_starts_of(where.slot)[v.cell_of[i]];
         v.bucket[first + start + v.place_in_cell[i]] = where.local;
     }
 };
@@ -260,10 +256,9 @@ struct SortParticles
         Replica const& r = v.replica[where.slot];
         if (!searches(r) || where.local >= r.particles)
             return;
-        std::uint64_t const first = std::uint64_t{where.slot} * v.room.particles, i = first + where.local;
+        std::uint64_t const first = v.first_of(where.slot), i = first + where.local;
         std::uint64_t const old = r.sorted * v.all, now = (1 - r.sorted) * v.all;
-        std::uint32_t const* const start =
-            v.cell_start + std::uint64_t{where.slot} * (v.room.cells + 1) + v.cell_of[i];
+        std::uint32_t const* const start = v.cell_starts_of(where.slot) + v.cell_of[i];
         std::uint32_t const id = v.id[old + i];
         std::uint32_t to = start[0];
         for (std::uint32_t k = start[0]; k < start[1]; ++k)

@@ -23,16 +23,6 @@ struct Loops
                 kernel(Where{slot, local});
     }
     template <class Kernel>
-    void over_particles(Kernel const& kernel) const
-    {
-        over(room.particles, kernel);
-    }
-    template <class Kernel>
-    void over_cells(Kernel const& kernel) const
-    {
-        over(room.cells, kernel);
-    }
-    template <class Kernel>
     void over_replicas(Kernel const& kernel) const
     {
         over(1, kernel);
@@ -62,7 +52,7 @@ class HostDevice final : public Device
             search(view, loops);
         with_evaluation(laws, [&]<class Evaluate>(Evaluate) {
             for (std::uint32_t k = 0; k < launches; ++k) {
-                loops.over_particles(StepKernel<Evaluate>{view});
+                loops.over(view.room.particles, StepKernel<Evaluate>{view});
                 bool wanted = false;
                 loops.over_replicas([&](Where const& where) { wanted |= Tick{view}(where); });
                 if (wanted)
@@ -72,7 +62,7 @@ class HostDevice final : public Device
     }
     void move(View const& from, View const& to) override
     {
-        Loops{from.room}.over_particles(MoveParticle{from, to});
+        Loops{from.room}.over(from.room.particles, MoveParticle{from, to});
     }
 
   private:

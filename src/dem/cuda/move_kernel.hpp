@@ -11,8 +11,8 @@ struct MoveParticle
 
     DEMENS_FUNCTION void operator()(Where const& where) const
     {
-        std::uint64_t const i = std::uint64_t{where.slot} * from.room.particles + where.local;
-        std::uint64_t const j = std::uint64_t{where.slot} * to.room.particles + where.local;
+        std::uint64_t const i = from.first_of(where.slot) + where.local;
+        std::uint64_t const j = to.first_of(where.slot) + where.local;
         to.load[j] = from.load[i];
         for (std::uint64_t set = 0; set < 2; ++set) {
             std::uint64_t const a = set * from.all + i, b = set * to.all + j;

@@ -14,7 +14,7 @@ struct FindNeighbours
         Replica& r = v.replica[where.slot];
         if (!searches(r) || where.local >= r.particles)
             return;
-        std::uint64_t const first = std::uint64_t{where.slot} * v.room.particles;
+        std::uint64_t const first = v.first_of(where.slot);
         Place const here = v.place[(1 - r.current) * v.all + first + where.local];
         find_pairs(r, where, first, here);
         find_walls(r, where, first, here);
@@ -46,7 +46,7 @@ struct FindNeighbours
     {
         std::uint64_t const i = first + where.local;
         std::uint32_t const now = 1 - r.sorted;
-        std::uint32_t const* const start = v.cell_start + std::uint64_t{where.slot} * (v.room.cells + 1);
+        std::uint32_t const* const start = v.cell_starts_of(where.slot);
         Place const* const places = v.place + (1 - r.current) * v.all + first;
         bool const wraps_x = r.periods.x.on(), wraps_y = r.periods.y.on();
         double const length_x = r.periods.x.length(), half_x = r.periods.x.half();
@@ -202,18 +202,18 @@ struct FinishSearch
 template <class Launcher>
 void search(View const& v, Launcher&& launch)
 {
-    launch.over_particles(FindBounds{v});
+    launch.over(v.room.particles, FindBounds{v});
     launch.over_replicas(LayGrid{v});
-    launch.over_cells(ClearCells{v});
-    launch.over_particles(CountInCells{v});
-    launch.over_cells(SumCells<0>{v});
-    launch.over_cells(SumCells<1>{v});
+    launch.over(v.room.cells, ClearCells{v});
+    launch.over(v.room.particles, CountInCells{v});
+    launch.over(v.room.cells, SumCells<0>{v});
+    launch.over(v.room.cells, SumCells<1>{v});
     launch.over_replicas(AddUpSums{v});
-    launch.over_cells(AddUpCells<1>{v});
-    launch.over_cells(AddUpCells<0>{v});
-    launch.over_particles(FillCells{v});
-    launch.over_particles(SortParticles{v});
-    launch.over_particles(FindNeighbours{v});
+    launch.over(v.room.cells, AddUpCells<1>{v});
+    launch.over(v.room.cells, AddUpCells<0>{v});
+    launch.over(v.room.particles, FillCells{v});
+    launch.over(v.room.particles, SortParticles{v});
+    launch.over(v.room.particles, FindNeighbours{v});
     launch.over_replicas(FinishSearch{v});
 }
 

@@ -22,7 +22,7 @@ struct StepKernel
         Phase const phase = r.phase;
         if (phase == Phase::rest || where.local >= r.particles)
             return;
-        std::uint64_t const first = std::uint64_t{where.slot} * v.room.particles, i = first + where.local;
+        std::uint64_t const first = v.first_of(where.slot), i = first + where.local;
         std::uint64_t const set = r.current * v.all;
         Place const here = v.place[set + i];
         Motion const motion = v.motion[set + i];

@@ -82,6 +82,16 @@ struct View
     {
         return (set * length + k) * all + particle;
     }
+    //! Where the particles of a slot begin.
+    DEMENS_FUNCTION std::uint64_t first_of(std::uint32_t slot) const
+    {
+        return std::uint64_t{slot} * room.particles;
+    }
+    //! Where the cells of a slot begin: numbers of particles.
+    DEMENS_FUNCTION std::uint32_t* cell_starts_of(std::uint32_t slot) const
+    {
+        return cell_start + std::uint64_t{slot} * (room.cells + 1);
+    }
     //! Path of the fastest wall until now [m].
     DEMENS_FUNCTION double wall_path(std::uint32_t slot) const
     {

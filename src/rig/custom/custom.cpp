@@ -1,4 +1,5 @@
 #include "src/rig/custom/entry.hpp"
+#include "src/rig/custom/quantities.hpp"
 #include "src/rig/custom/wall_driver.hpp"
 #include "src/rig/custom/wall_seams.hpp"
 #include "src/rig/rigs.hpp"
@@ -27,7 +28,7 @@ Programme describe(RunInput const& input)
         .expected_particles = setup->expected_particles(),
         .expected_duration = setup->longest_duration()};
     for (auto const& response : setup->responses)
-        programme.reads_loads |= reads_loads(response.quantity);
+        programme.reads_loads |= response.quantity->reads_loads;
     programme.build = [setup] { return build(*setup); };
     programme.check = [setup] {
         check_places(*setup);

@@ -169,9 +169,9 @@ Vector3 at_height(Setup const& setup, Vector3 const& place, double height)
     return setup.upright.back(upright);
 }
 
-void check_above_others(Setup const& setup, ParticleGroup const& group, AboveOthers const& above)
+//! Of a body that enters at a clearance above the others.
+void check_above_others(Setup const& setup, ParticleGroup const& group, Body body)
 {
-    Body body = above.body;
     Vector3 const middle = 0.5 * (setup.options.domain_lower + setup.options.domain_upper);
     body.place = at_height(setup, body.place, setup.upright.height(middle));
     check_in_domain(setup, body);
@@ -241,15 +241,12 @@ std::vector<Body> bodies_of(Look& look, Setup const& setup, std::size_t number)
     auto const& source = setup.groups[number].source;
     if (auto const* packing = std::get_if<Packing>(&source))
         return fill(look, setup, number, *packing);
-    std::vector<Body> bodies;
-    if (auto const* above = std::get_if<AboveOthers>(&source)) {
-        bodies = {above->body};
+    auto bodies = std::get<ParticleTable>(source).bodies;
+    if (auto const& clearance = setup.groups[number].clearance) {
         double const level = level_of(look.particles(), setup.upright);
         look.progress().groups[number].level = level;
-        bodies.front().place =
-            at_height(setup, above->body.place, level + above->clearance + above->body.radius);
-    } else {
-        bodies = std::get<std::vector<Body>>(source);
+        for (auto& body : bodies)
+            body.place = at_height(setup, body.place, level + *clearance + body.radius);
     }
     auto all = existing(look.particles());
     auto const old = all.size();
@@ -267,13 +264,16 @@ void check_places(Setup const& setup)
         for (auto const& group : setup.groups) {
             if (group.stage != stage)
                 continue;
-            if (auto const* bodies = std::get_if<std::vector<Body>>(&group.source)) {
-                check_bodies(setup, group, *bodies);
-                together.insert(together.end(), bodies->begin(), bodies->end());
-            } else if (auto const* packing = std::get_if<Packing>(&group.source)) {
+            if (auto const* packing = std::get_if<Packing>(&group.source)) {
                 check_packing(setup, group, *packing);
+                continue;
+            }
+            auto const& bodies = std::get<ParticleTable>(group.source).bodies;
+            if (group.clearance) {
+                check_above_others(setup, group, bodies.front());
             } else {
-                check_above_others(setup, group, std::get<AboveOthers>(group.source));
+                check_bodies(setup, group, bodies);
+                together.insert(together.end(), bodies.begin(), bodies.end());
             }
         }
         check_overlaps(together, 0, setup.overlap_limit);

@@ -21,7 +21,7 @@ struct Body
 struct ParticleTable
 {
     std::vector<Body> bodies;
-    std::vector<std::string> unused;
+    std::vector<std::string> unused = {};
 };
 
 //! Spheres from text with the header `x,y,z,radius` or `x,y,z,radius,vx,vy,vz`, columns in any order, in SI

@@ -2,7 +2,9 @@
 
 #include "demens/base/error.hpp"
 #include "demens/shape/sample_check.hpp"
+#include "src/rig/custom/geometry.hpp"
 #include "src/rig/custom/selection.hpp"
+#include "src/rig/kinds.hpp"
 #include "src/rig/option_specs.hpp"
 
 #include <algorithm>
@@ -15,23 +17,35 @@
 namespace demens::rig::custom {
 namespace {
 
-enum class Source
-{
-    body,
-    csv,
-    packing
-};
-constexpr std::array<Word<Source>, 3> sources = {
-    {{Source::body, "body"}, {Source::csv, "csv"}, {Source::packing, "packing"}}};
-
 double sphere_mass(double diameter, double density)
 {
     return density * std::numbers::pi / 6 * diameter * diameter * diameter;
 }
 
-Packing read_packing(OptionValues const& o, RunInput const& input, Regions const& regions,
-                     std::string const& where)
+using Source = std::variant<ParticleTable, Packing>;
+
+std::string place_of(OptionValues const& o)
 {
+    return "particles." + o.text("name");
+}
+
+Source read_body(OptionValues const& o, RunInput const&, Regions const&)
+{
+    return ParticleTable{{{millimetres(o, "place_mm"), 0.5e-3 * o.number("diameter_mm"),
+                           o.vector("velocity_m_s"), o.vector("spin_rad_s"), place_of(o)}}};
+}
+
+Source read_csv(OptionValues const& o, RunInput const& input, Regions const&)
+{
+    auto table = read_particle_csv(*input.files.at(o.text("file")), o.text("file"));
+    for (auto& body : table.bodies)
+        body.place += millimetres(o, "shift_mm");
+    return table;
+}
+
+Source read_packing(OptionValues const& o, RunInput const& input, Regions const& regions)
+{
+    auto const where = place_of(o);
     Packing packing{.region = regions.at(o.text("region"))};
     if (!o.text("within").empty())
         packing.within = regions.at(o.text("within"));
@@ -52,14 +66,6 @@ Packing read_packing(OptionValues const& o, RunInput const& input, Regions const
     return packing;
 }
 
-ParticleTable read_csv(OptionValues const& o, RunInput const& input)
-{
-    auto table = read_particle_csv(*input.files.at(o.text("file")), o.text("file"));
-    for (auto& body : table.bodies)
-        body.place += 1e-3 * o.vector("shift_mm");
-    return table;
-}
-
 //! Spheres of one diameter that come closest to the mass; at least one.
 std::size_t count_of_mass(Packing const& packing, double density)
 {
@@ -67,82 +73,68 @@ std::size_t count_of_mass(Packing const& packing, double density)
         std::llround(std::max(1.0, packing.mass / sphere_mass(packing.diameter, density))));
 }
 
-Body read_body(OptionValues const& o, std::string const& where)
+using SourceKind = ReadKind<Source, RunInput const&, Regions const&>;
+
+std::vector<SourceKind> make_sources()
 {
-    return {1e-3 * o.vector("place_mm"), 0.5e-3 * o.number("diameter_mm"), o.vector("velocity_m_s"),
-            o.vector("spin_rad_s"), where};
+    auto const velocity = vector("velocity_m_s", {}, "velocity at first [m/s]");
+    return {{{"body",
+              "one sphere",
+              {required(number("diameter_mm", 0, "diameter [mm]", positive)),
+               required_vector("place_mm", "centre [mm]"), velocity,
+               vector("spin_rad_s", {}, "angular velocity at first [rad/s]"),
+               number("clearance_mm", not_given,
+                      "its lowest point enters so high above the mean surface of the particles then "
+                      "there; how high place_mm is is not used [mm]",
+                      0)}},
+             read_body},
+            {{"csv",
+              "spheres from a table",
+              {file("file", "CSV with the header x,y,z,radius or x,y,z,radius,vx,vy,vz in m and m/s"),
+               vector("shift_mm", {}, "added to all places [mm]")}},
+             read_csv},
+            {{"packing",
+              "spheres at random places, which depend on the run's seed",
+              {required(entry("region", "region", "where; whole spheres lie in it")),
+               entry("within", "region", "lie whole in this one too; empty: none"),
+               entry("size_distribution", "size_distribution", "sizes of the spheres"),
+               number("diameter_mm", 0, "diameter of all, instead of size_distribution [mm]", 0),
+               integer("count", 0, "number of spheres", 0, 1e8),
+               number("mass_kg", 0, "mass of all together, instead of count [kg]", 0), velocity}},
+             read_packing}};
+}
+
+std::vector<SourceKind> const& sources()
+{
+    static auto const all = make_sources();
+    return all;
 }
 
 } // namespace
 
 TableSpec particles_table()
 {
-    auto const velocity = vector("velocity_m_s", {}, "velocity at first [m/s]");
     return {.key = "particles",
             .doc = "a group of particles that enter together",
             .options = {required_word("name", "its name"),
                         required(entry("material", "material", "material of the particles")),
                         entry("stage", "stage", "enters when this stage begins; empty: the first one")},
             .kind_key = "source",
-            .kinds = {{"body",
-                       "one sphere",
-                       {required(number("diameter_mm", 0, "diameter [mm]", positive)),
-                        required_vector("place_mm", "centre [mm]"), velocity,
-                        vector("spin_rad_s", {}, "angular velocity at first [rad/s]"),
-                        number("clearance_mm", not_given,
-                               "its lowest point enters so high above the mean surface of the particles then "
-                               "there; how high place_mm is is not used [mm]",
-                               0)}},
-                      {"csv",
-                       "spheres from a table",
-                       {{.key = "file",
-                         .default_value = std::string(),
-                         .doc = "CSV with the header x,y,z,radius or x,y,z,radius,vx,vy,vz in m and m/s",
-                         .required = true,
-                         .names_file = true},
-                        vector("shift_mm", {}, "added to all places [mm]")}},
-                      {"packing",
-                       "spheres at random places, which depend on the run's seed",
-                       {required(entry("region", "region", "where; whole spheres lie in it")),
-                        entry("within", "region", "lie whole in this one too; empty: none"),
-                        entry("size_distribution", "size_distribution", "sizes of the spheres"),
-                        number("diameter_mm", 0, "diameter of all, instead of size_distribution [mm]", 0),
-                        {.key = "count",
-                         .default_value = std::int64_t{0},
-                         .doc = "number of spheres",
-                         .lower = 0,
-                         .upper = 1e8},
-                        number("mass_kg", 0, "mass of all together, instead of count [kg]", 0),
-                        velocity}}}};
+            .kinds = keys_of(sources())};
 }
 
 bool ParticleGroup::is_one_body() const
 {
-    auto const* bodies = std::get_if<std::vector<Body>>(&source);
     auto const* packing = std::get_if<Packing>(&source);
-    return packing ? packing->count == 1 : !bodies || bodies->size() == 1;
+    return packing ? packing->count == 1 : std::get<ParticleTable>(source).bodies.size() == 1;
 }
 
 double ParticleGroup::smallest() const
 {
     if (auto const* packing = std::get_if<Packing>(&source))
         return packing->smallest();
-    if (auto const* above = std::get_if<AboveOthers>(&source))
-        return 2 * above->body.radius;
-    auto const& bodies = std::get<std::vector<Body>>(source);
+    auto const& bodies = std::get<ParticleTable>(source).bodies;
     return 2 * std::min_element(bodies.begin(), bodies.end(), [](auto const& a, auto const& b) {
-                   return a.radius < b.radius;
-               })->radius;
-}
-
-double ParticleGroup::largest() const
-{
-    if (auto const* packing = std::get_if<Packing>(&source))
-        return packing->largest();
-    if (auto const* above = std::get_if<AboveOthers>(&source))
-        return 2 * above->body.radius;
-    auto const& bodies = std::get<std::vector<Body>>(source);
-    return 2 * std::max_element(bodies.begin(), bodies.end(), [](auto const& a, auto const& b) {
                    return a.radius < b.radius;
                })->radius;
 }
@@ -161,24 +153,20 @@ double ParticleGroup::expected_count(double density) const
         }
         return packing->mass * per_mass;
     }
-    auto const* bodies = std::get_if<std::vector<Body>>(&source);
-    return bodies ? static_cast<double>(bodies->size()) : 1;
+    return static_cast<double>(std::get<ParticleTable>(source).bodies.size());
 }
 
 shape::BoxRegion ParticleGroup::bounds() const
 {
     if (auto const* packing = std::get_if<Packing>(&source))
         return shape::bounds(packing->region);
-    auto const* above = std::get_if<AboveOthers>(&source);
-    auto const bodies = above ? std::vector{above->body} : std::get<std::vector<Body>>(source);
-    auto box = shape::bounds(shape::BallRegion{bodies.front().place, bodies.front().radius});
-    for (auto const& body : bodies) {
-        auto const own = shape::bounds(shape::BallRegion{body.place, body.radius});
-        box = {{std::min(box.lower.x, own.lower.x), std::min(box.lower.y, own.lower.y),
-                std::min(box.lower.z, own.lower.z)},
-               {std::max(box.upper.x, own.upper.x), std::max(box.upper.y, own.upper.y),
-                std::max(box.upper.z, own.upper.z)}};
-    }
+    auto const box_of = [](Body const& body) {
+        return shape::bounds(shape::BallRegion{body.place, body.radius});
+    };
+    auto const& bodies = std::get<ParticleTable>(source).bodies;
+    auto box = box_of(bodies.front());
+    for (auto const& body : bodies)
+        box = hull(box, box_of(body));
     return box;
 }
 
@@ -187,25 +175,13 @@ std::vector<ParticleGroup> read_particles(RunInput const& input, Regions const& 
     std::vector<ParticleGroup> groups;
     auto const& stages = input.experiment.tables("stage");
     for (auto const& o : input.experiment.tables("particles")) {
-        auto const where = "particles." + o.text("name");
-        ParticleGroup group{o.text("name"), o.text("material"), position_of(stages, o.text("stage"), 0), {}};
-        ParticleTable table;
-        switch (read_word(sources, o.text("source"))) {
-        case Source::body:
-            if (is_absent(o.number("clearance_mm")))
-                group.source = std::vector{read_body(o, where)};
-            else
-                group.source = AboveOthers{read_body(o, where), 1e-3 * o.number("clearance_mm")};
-            break;
-        case Source::csv:
-            table = read_csv(o, input);
-            group.source = std::move(table.bodies);
-            group.unused = std::move(table.unused);
-            break;
-        case Source::packing:
-            group.source = read_packing(o, input, regions, where);
-            break;
-        }
+        ParticleGroup group{o.text("name"),
+                            o.text("material"),
+                            position_of(stages, o.text("stage"), 0),
+                            kind_named(sources(), o.text("source")).read(o, input, regions),
+                            {}};
+        if (o.has("clearance_mm") && !is_absent(o.number("clearance_mm")))
+            group.clearance = 1e-3 * o.number("clearance_mm");
         groups.push_back(std::move(group));
     }
     if (groups.empty())
@@ -216,9 +192,9 @@ std::vector<ParticleGroup> read_particles(RunInput const& input, Regions const& 
 std::vector<std::string> particle_warnings(ParticleGroup const& group, double density)
 {
     std::vector<std::string> warnings;
-    if (!group.unused.empty())
+    if (auto const* table = std::get_if<ParticleTable>(&group.source); table && !table->unused.empty())
         warnings.push_back(
-            fmt::format("columns of the table that are not used: {}", fmt::join(group.unused, ", ")));
+            fmt::format("columns of the table that are not used: {}", fmt::join(table->unused, ", ")));
     if (auto const* packing = std::get_if<Packing>(&group.source)) {
         std::string missed;
         if (packing->sizes && packing->count > 1) {
@@ -257,11 +233,9 @@ std::vector<double> sample_diameters(Packing const& packing, double density, Ran
     }
     if (packing.count == 0) {
         RandomStream same_numbers = random;
-        try {
+        return in_place(packing.where, [&] {
             return shape::sample_whole(*packing.sizes, packing.mass, density, same_numbers);
-        } catch (InputError const& error) {
-            throw InputError(fmt::format("{}: {}", packing.where, error.what()));
-        }
+        });
     }
     // The mass that has as many spheres; one too many goes.
     auto const wanted = static_cast<std::size_t>(packing.count);

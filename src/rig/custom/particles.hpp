@@ -29,24 +29,18 @@ struct Packing
     double smallest() const { return sizes ? sizes->smallest() : diameter; }
 };
 
-//! A body that enters above the others.
-struct AboveOthers
-{
-    Body body;
-    double clearance; //!< of its lowest point over their mean surface [m]
-};
-
 //! Particles that enter together.
 struct ParticleGroup
 {
     std::string name, material;
     std::size_t stage; //!< at whose beginning they enter
-    std::variant<std::vector<Body>, Packing, AboveOthers> source;
-    std::vector<std::string> unused = {}; //!< columns of its table that say nothing of the particles
+    std::variant<ParticleTable, Packing> source;
+    //! Of the lowest point of one body above the mean surface of the particles then there; none: it enters
+    //! where it was given [m].
+    std::optional<double> clearance;
 
     bool is_one_body() const;
     double smallest() const; //!< diameter [m]
-    double largest() const;
     double expected_count(double density) const;
     shape::BoxRegion bounds() const; //!< of where they enter
 };

@@ -1,6 +1,7 @@
 #include "src/rig/custom/regions.hpp"
 
-#include "demens/base/words.hpp"
+#include "src/rig/custom/geometry.hpp"
+#include "src/rig/kinds.hpp"
 #include "src/rig/option_specs.hpp"
 
 #include <fmt/format.h>
@@ -8,27 +9,39 @@
 namespace demens::rig::custom {
 namespace {
 
-enum class RegionKind
+std::vector<ReadKind<shape::Region>> make_kinds()
 {
-    box,
-    cylinder,
-    ball
-};
-constexpr std::array<Word<RegionKind>, 3> region_shapes = {
-    {{RegionKind::box, "box"}, {RegionKind::cylinder, "cylinder"}, {RegionKind::ball, "ball"}}};
+    return {{{"box",
+              "a box along the axes",
+              {required_vector("lower_mm", "lower corner [mm]"),
+               required_vector("upper_mm", "upper corner [mm]")}},
+             [](OptionValues const& o) -> shape::Region {
+                 return shape::BoxRegion{millimetres(o, "lower_mm"), millimetres(o, "upper_mm")};
+             }},
+            {{"cylinder",
+              "a cylinder, possibly hollow",
+              {required_vector("from_mm", "one end of its axis [mm]"),
+               required_vector("to_mm", "the other end [mm]"),
+               required(number("radius_mm", 0, "outer radius [mm]", positive)),
+               number("inner_radius_mm", 0, "radius of its hole [mm]", 0)}},
+             [](OptionValues const& o) -> shape::Region {
+                 return shape::CylinderRegion{millimetres(o, "from_mm"), millimetres(o, "to_mm"),
+                                              1e-3 * o.number("radius_mm"),
+                                              1e-3 * o.number("inner_radius_mm")};
+             }},
+            {{"ball",
+              "a ball",
+              {required_vector("centre_mm", "centre [mm]"),
+               required(number("radius_mm", 0, "radius [mm]", positive))}},
+             [](OptionValues const& o) -> shape::Region {
+                 return shape::BallRegion{millimetres(o, "centre_mm"), 1e-3 * o.number("radius_mm")};
+             }}};
+}
 
-shape::Region read_region(OptionValues const& o)
+std::vector<ReadKind<shape::Region>> const& region_kinds()
 {
-    switch (read_word(region_shapes, o.text("shape"))) {
-    case RegionKind::box:
-        return shape::BoxRegion{1e-3 * o.vector("lower_mm"), 1e-3 * o.vector("upper_mm")};
-    case RegionKind::cylinder:
-        return shape::CylinderRegion{1e-3 * o.vector("from_mm"), 1e-3 * o.vector("to_mm"),
-                                     1e-3 * o.number("radius_mm"), 1e-3 * o.number("inner_radius_mm")};
-    case RegionKind::ball:
-        return shape::BallRegion{1e-3 * o.vector("centre_mm"), 1e-3 * o.number("radius_mm")};
-    }
-    return {};
+    static auto const all = make_kinds();
+    return all;
 }
 
 } // namespace
@@ -39,20 +52,7 @@ TableSpec region_table()
             .doc = "a part of space, for packings, conditions and responses",
             .options = {required_word("name", "its name")},
             .kind_key = "shape",
-            .kinds = {{"box",
-                       "a box along the axes",
-                       {required_vector("lower_mm", "lower corner [mm]"),
-                        required_vector("upper_mm", "upper corner [mm]")}},
-                      {"cylinder",
-                       "a cylinder, possibly hollow",
-                       {required_vector("from_mm", "one end of its axis [mm]"),
-                        required_vector("to_mm", "the other end [mm]"),
-                        required(number("radius_mm", 0, "outer radius [mm]", positive)),
-                        number("inner_radius_mm", 0, "radius of its hole [mm]", 0)}},
-                      {"ball",
-                       "a ball",
-                       {required_vector("centre_mm", "centre [mm]"),
-                        required(number("radius_mm", 0, "radius [mm]", positive))}}}};
+            .kinds = keys_of(region_kinds())};
 }
 
 Regions read_regions(OptionValues const& experiment)
@@ -60,7 +60,7 @@ Regions read_regions(OptionValues const& experiment)
     Regions regions;
     for (auto const& entry : experiment.tables("region")) {
         auto const& name = entry.text("name");
-        auto const region = read_region(entry);
+        auto const region = kind_named(region_kinds(), entry.text("shape")).read(entry);
         if (!(shape::volume(region) > 0))
             throw InputError(
                 fmt::format("region.{} has no volume; {}", name,

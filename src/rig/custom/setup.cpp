@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "demens/shape/stl.hpp"
+#include "src/rig/kinds.hpp"
 #include "src/rig/option_specs.hpp"
 
 #include <algorithm>
@@ -45,12 +46,6 @@ double time_step_of(Setup const& setup, OptionValues const& options)
     return chosen_time_step(options, limit);
 }
 
-shape::BoxRegion hull(shape::BoxRegion const& a, shape::BoxRegion const& b)
-{
-    return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y), std::min(a.lower.z, b.lower.z)},
-            {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y), std::max(a.upper.z, b.upper.z)}};
-}
-
 //! What the options say or, without them, all that has a place at first with a metre and its size around it.
 shape::BoxRegion domain_of(Setup const& setup, OptionValues const& options)
 {
@@ -75,13 +70,10 @@ shape::BoxRegion domain_of(Setup const& setup, OptionValues const& options)
 void check_meshes(Setup const& setup)
 {
     for (auto const& wall : setup.walls)
-        if (auto const* mesh = std::get_if<dem::Mesh>(&wall.parts.front().shape)) {
-            try {
+        if (auto const* mesh = std::get_if<dem::Mesh>(&wall.parts.front().shape))
+            in_place("wall." + wall.name, [&] {
                 shape::check_within(*mesh->mesh, setup.options.domain_lower, setup.options.domain_upper);
-            } catch (InputError const& error) {
-                throw InputError(fmt::format("wall.{}: {}", wall.name, error.what()));
-            }
-        }
+            });
 }
 
 } // namespace
@@ -116,7 +108,7 @@ Setup::Setup(RunInput const& input)
     check_pairs(*this);
     options = simulation_options(input.experiment, time_step_of(*this, input.experiment));
     options.energy_ledger |= std::any_of(responses.begin(), responses.end(),
-                                         [](auto const& r) { return r.quantity == Quantity::energy; });
+                                         [](auto const& response) { return response.term != nullptr; });
     double smallest = std::numeric_limits<double>::infinity();
     for (auto const& group : groups)
         smallest = std::min(smallest, group.smallest());

@@ -8,18 +8,18 @@ namespace demens::rig::custom {
 //! `[[experiment.stage]]`
 TableSpec stage_table();
 
+//! What the end of a stage may wait for.
+struct ConditionKind
+{
+    TableKind keys;
+    std::string below = {}, above = {}; //!< its keys that hold limits; empty: it has no such limit
+    double (*read)(Look&, Selection const&) = nullptr; //!< what is compared with them; null: nothing
+};
+
 //! When a stage ends, beside its time.
 struct Condition
 {
-    enum class Kind
-    {
-        time, //!< none
-        kinetic_energy,
-        speed,
-        count,
-        mass
-    };
-    Kind kind;
+    ConditionKind const* kind;
     Selection selection;
     double below, above; //!< limits; NaN: none
 

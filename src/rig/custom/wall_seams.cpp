@@ -16,16 +16,17 @@ struct SurfacePoint
 };
 
 //! Points of the borders of a shape, where another may go on.
-std::vector<SurfacePoint> border(dem::Rectangle const& r)
+template <dem::Polygon Shape>
+std::vector<SurfacePoint> border(Shape const& shape)
 {
     std::vector<SurfacePoint> points;
-    Vector3 const normal = cross(r.axis_u, r.axis_v);
-    constexpr int pieces = 8;
-    for (int k = 0; k <= pieces; ++k)
-        for (double const side : {-1.0, 1.0}) {
-            double const along = 2.0 * k / pieces - 1;
-            points.push_back({r.centre + along * r.half_u * r.axis_u + side * r.half_v * r.axis_v, normal});
-            points.push_back({r.centre + side * r.half_u * r.axis_u + along * r.half_v * r.axis_v, normal});
+    constexpr int pieces = 8; // of a side
+    auto const all = corners(shape);
+    for (std::size_t k = 0; k < all.size(); ++k)
+        for (int piece = 0; piece < pieces; ++piece) {
+            Vector3 const along = all[(k + 1) % all.size()] - all[k];
+            Vector3 const place = all[k] + (static_cast<double>(piece) / pieces) * along;
+            points.push_back({place, normal(shape, place)});
         }
     return points;
 }

@@ -20,19 +20,9 @@ void check(Setup const& rig)
     if (rig.lower_width < rig.slot)
         throw InputError(fmt::format("lower_box_width_mm = {:.4g} must be at least slot_width_mm = {:.4g}",
                                      1e3 * rig.lower_width, 1e3 * rig.slot));
-    if (rig.bulk_density >= 0.74 * rig.density)
-        throw InputError(
-            fmt::format("bulk_density = {:.5g} kg/m^3 cannot be reached: spheres of density {:.5g} kg/m^3 "
-                        "pack to at most 0.74 of it",
-                        rig.bulk_density, rig.density));
-    double const largest = rig.sizes.largest();
-    for (auto const& [key, room] :
-         {std::pair{"box_depth_mm", rig.depth}, std::pair{"slot_width_mm", rig.slot}})
-        if (room < 1.05 * largest)
-            throw InputError(
-                fmt::format("no room for the particles: {} = {:.4g} must be larger than the largest "
-                            "particle, {:.4g} mm",
-                            key, 1e3 * room, 1e3 * largest));
+    check_bulk_density(rig.bulk_density, rig.density);
+    check_room("box_depth_mm", rig.depth, rig.sizes.largest());
+    check_room("slot_width_mm", rig.slot, rig.sizes.largest());
     // Even a flat heap of all that can leave must stay below the gate.
     double const heap = rig.mass / (rig.bulk_density * rig.lower_width * rig.depth);
     if (heap > rig.drop)

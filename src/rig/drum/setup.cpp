@@ -15,7 +15,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr std::array<Word<Ends>, 3> end_words = {
     {{Ends::turning, "turning"}, {Ends::resting, "resting"}, {Ends::periodic, "periodic"}}};
-constexpr double densest = 0.74;         //!< solid fraction of equal spheres that nothing exceeds
 constexpr double pours_to = 0.55;        //!< solid fraction that poured spheres reach
 constexpr double cannot_tell_below = 10; //!< samples, fewer of which have no statistics
 
@@ -71,11 +70,7 @@ DrumState state_of(OptionValues const& o, double bulk_density)
 void check_fill(Setup const& setup)
 {
     double const volume = setup.drum.volume();
-    if (setup.bulk_density >= densest * setup.density)
-        throw InputError(
-            fmt::format("a bulk density of {:.5g} kg/m^3 cannot be reached: spheres of density {:.5g} kg/m^3 "
-                        "pack to at most {} of it",
-                        setup.bulk_density, setup.density, densest));
+    check_bulk_density(setup.bulk_density, setup.density);
     double const bulk = setup.bulk_density > 0 ? setup.bulk_density : pours_to * setup.density;
     if (setup.drum.mass > bulk * volume)
         throw InputError(fmt::format(
@@ -99,12 +94,8 @@ void check(Setup const& setup)
             setup.drum.froude(), setup.drum.angular_velocity * 30 / pi,
             30 / pi * std::sqrt(setup.drum.gravity / setup.drum.radius)));
     double const largest = setup.sizes.largest();
-    for (auto const& [key, room] :
-         {std::pair{"width_mm", setup.drum.width}, std::pair{"radius_mm", setup.drum.radius}})
-        if (room < 1.05 * largest)
-            throw InputError(fmt::format(
-                "no room for the particles: {} = {:.4g} must be larger than the largest particle, {:.4g} mm",
-                key, 1e3 * room, 1e3 * largest));
+    check_room("width_mm", setup.drum.width, largest);
+    check_room("radius_mm", setup.drum.radius, largest);
     if (setup.ends == Ends::periodic && setup.drum.width < 2.2 * (largest + setup.skin))
         throw InputError(
             fmt::format("width_mm = {:.4g} is too narrow for periodic ends: a particle of {:.4g} mm "

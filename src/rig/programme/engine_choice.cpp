@@ -13,10 +13,10 @@ std::string needs_cpu(Apparatus const& apparatus, bool with_team)
         return "several ranks share a run (run.ranks_per_group)";
     if (apparatus.options.energy_ledger)
         return "its energy is accounted for (energy_ledger)";
-    bool const has_mesh = std::any_of(apparatus.walls.begin(), apparatus.walls.end(), [](auto const& wall) {
-        return std::holds_alternative<dem::Mesh>(wall.shape);
-    });
-    return has_mesh ? "one of its walls is a mesh" : "";
+    bool const knows_walls =
+        std::all_of(apparatus.walls.begin(), apparatus.walls.end(),
+                    [](auto const& wall) { return dem::knows(dem::EngineKind::cuda, wall.shape); });
+    return knows_walls ? "" : "one of its walls has a shape that devices do not know, e.g. a mesh";
 }
 
 dem::EngineKind chosen_engine(EngineChoice choice, Apparatus const& apparatus, bool with_team)

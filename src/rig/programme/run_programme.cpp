@@ -1,6 +1,7 @@
 // A run from its beginning to its end, with frames, and looks at the clock and at the caller's wish to stop.
 #include "demens/rig/programme/programme_run.hpp"
 
+#include "demens/observe/snapshot_columns.hpp"
 #include "demens/observe/wall_outline.hpp"
 
 #include <algorithm>
@@ -66,8 +67,7 @@ Snapshot take_snapshot(dem::Simulation& simulation, std::string name)
     Snapshot snapshot;
     snapshot.name = std::move(name);
     snapshot.time = simulation.time();
-    for (auto* column : {&snapshot.x, &snapshot.y, &snapshot.z, &snapshot.radius, &snapshot.vx, &snapshot.vy,
-                         &snapshot.vz, &snapshot.wx, &snapshot.wy, &snapshot.wz})
+    for (auto* column : columns_of(snapshot))
         column->resize(n);
     for (std::size_t k = 0; k < n; ++k) {
         auto const id = particles.id(k).value;

@@ -335,4 +335,54 @@ TEST(StateRecord, WhatDoesNotFitTogetherIsRefused)
     }
 }
 
+//! All numbers of a shape or a motion, in order.
+struct Numbers
+{
+    std::vector<double>& all;
+
+    void number(double x) const { all.push_back(x); }
+    void direction(Vector3 const& v) const { all.insert(all.end(), {v.x, v.y, v.z}); }
+    void point(Vector3 const& p) const { direction(p); }
+    void side(dem::RoundSide side) const { all.push_back(static_cast<double>(side)); }
+    void placement(Placement const& p) const
+    {
+        for (Vector3 const& v : {p.rotation.x, p.rotation.y, p.rotation.z, p.shift})
+            direction(v);
+    }
+};
+std::vector<double> numbers_of(dem::WallShape shape)
+{
+    std::vector<double> all;
+    std::visit([&](auto& one) { fields(one, Numbers{all}); }, shape);
+    return all;
+}
+
+TEST(StateRecord, EveryShapeOfAWallComesBackWithAllItsNumbers)
+{
+    Vector3 const centre{0.1, 0.2, 0.3}, axis{0.6, 0.8, 0}, across{-0.8, 0.6, 0};
+    auto const mesh =
+        std::make_shared<shape::TriangleMesh const>(shape::box_triangles({0, 0, 0}, {0.1, 0.2, 0.3}));
+    std::vector<std::pair<dem::WallShape, std::vector<double>>> const shapes = {
+        {dem::Rectangle{centre, axis, across, 0.4, 0.5},
+         {0.1, 0.2, 0.3, 0.6, 0.8, 0, -0.8, 0.6, 0, 0.4, 0.5}},
+        {dem::Disc{centre, axis, 0.4}, {0.1, 0.2, 0.3, 0.6, 0.8, 0, 0.4}},
+        {dem::Cylinder{centre, axis, 0.4, 0.5, dem::RoundSide::far},
+         {0.1, 0.2, 0.3, 0.6, 0.8, 0, 0.4, 0.5, 2}},
+        {dem::Cone{centre, axis, 0.4, 0.5, 0.7, dem::RoundSide::left},
+         {0.1, 0.2, 0.3, 0.6, 0.8, 0, 0.4, 0.5, 0.7, 1}},
+        {dem::Mesh{mesh, {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, centre}},
+         {0, 1, 0, -1, 0, 0, 0, 0, 1, 0.1, 0.2, 0.3}}};
+    ASSERT_EQ(shapes.size(), std::variant_size_v<dem::WallShape>);
+    dem::Simulation simulation(model(), options(false, false));
+    for (auto const& [shape, numbers] : shapes) {
+        EXPECT_EQ(numbers_of(shape), numbers);
+        simulation.add(dem::Wall{.shape = shape});
+    }
+    auto const again = reloaded(options(false, false), simulation.save());
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        EXPECT_EQ(again.walls()[k].shape.index(), k);
+        EXPECT_EQ(numbers_of(again.walls()[k].shape), shapes[k].second);
+    }
+}
+
 } // namespace

@@ -165,7 +165,7 @@ void Bisection::restore(Cuts const& cuts)
         if (number < lower || number >= end)
             throw InputError("the state record does not fit together: the boxes of its ranks are no tree");
     };
-    is_within(static_cast<std::int64_t>(count), 1, 2 * ranks_);
+    is_within(static_cast<std::int64_t>(count), 1, 2 * std::int64_t{ranks_});
     if (cuts.borders.size() != 7 * count || cuts.numbers.size() != 4 * count)
         is_within(-1, 0, 0);
     std::vector<Node> nodes(count);
@@ -191,8 +191,8 @@ std::vector<int> Bisection::halve(Cutting const& cutting, std::vector<int> const
 {
     auto searches = begin_searches(cutting, nodes);
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-        int const ranks = nodes_[static_cast<std::size_t>(nodes[k])].ranks;
-        searches[k].target = searches[k].weight * (ranks / 2) / ranks;
+        int const ranks = nodes_[static_cast<std::size_t>(nodes[k])].ranks, half = ranks / 2;
+        searches[k].target = searches[k].weight * half / ranks;
     }
     for (int round = 0; round < rounds; ++round) {
         std::vector<double> histogram(searches.size() * bins, 0.0);
@@ -229,7 +229,7 @@ int Bisection::owner(Place const& place) const
     std::size_t number = 0;
     while (nodes_[number].half >= 0) {
         Node const& node = nodes_[number];
-        number = static_cast<std::size_t>(node.half + (along(place, node.axis) >= node.at));
+        number = static_cast<std::size_t>(node.half) + (along(place, node.axis) >= node.at ? 1 : 0);
     }
     return nodes_[number].first_rank;
 }

@@ -1,6 +1,6 @@
 // What the ranks of a team store of a simulation that they share.
+#include "demens/dem/record_fields.hpp"
 #include "src/dem/cpu/decomposition/decomposition.hpp"
-#include "src/dem/record_fields.hpp"
 
 namespace demens::dem {
 namespace {

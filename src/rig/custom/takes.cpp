@@ -1,0 +1,87 @@
+#include "src/rig/custom/takes.hpp"
+
+#include "demens/base/error.hpp"
+#include "demens/observe/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace demens::rig::custom {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+double mean(Course const& course)
+{
+    double mean = 0;
+    for (double const value : course.values)
+        mean += value / static_cast<double>(course.values.size());
+    return mean;
+}
+
+double standard_deviation(Course const& course)
+{
+    double const middle = mean(course);
+    double squares = 0;
+    for (double const value : course.values)
+        squares += (value - middle) * (value - middle) / static_cast<double>(course.values.size());
+    return std::sqrt(squares);
+}
+
+template <class Passes>
+double time_until(Course const& course, Passes const& passes)
+{
+    auto const found = std::find_if(course.values.begin(), course.values.end(), passes);
+    auto const number = static_cast<std::size_t>(found - course.values.begin());
+    return found == course.values.end() ? none : course.times[number] - course.begin;
+}
+
+} // namespace
+
+std::vector<Take> const& takes()
+{
+    using enum Take::Units;
+    static std::vector<Take> const all = {
+        {"final", [](Course const& c) { return c.values.back(); }},
+        {"mean", mean},
+        {"sd", standard_deviation},
+        {"min", [](Course const& c) { return *std::min_element(c.values.begin(), c.values.end()); }},
+        {"max", [](Course const& c) { return *std::max_element(c.values.begin(), c.values.end()); }},
+        {"change", [](Course const& c) { return c.values.back() - c.values.front(); }},
+        {"rate",
+         [](Course const& c) {
+             return c.values.size() < 2 ? none : observe::fit_line(c.times, c.values).slope;
+         },
+         rate},
+        {"time_above",
+         [](Course const& c) { return time_until(c, [&](double value) { return value > c.threshold; }); },
+         time},
+        {"time_below",
+         [](Course const& c) { return time_until(c, [&](double value) { return value < c.threshold; }); },
+         time}};
+    return all;
+}
+
+Take const& take_named(std::string const& name)
+{
+    for (auto const& take : takes())
+        if (take.name == name)
+            return take;
+    throw InputError("\"" + name + "\" is nothing that can be made of a course");
+}
+
+std::string Take::units_for(std::string const& quantity) const
+{
+    switch (units) {
+    case Units::of_quantity:
+        return quantity;
+    case Units::rate:
+        return quantity == "1" ? "1/s" : quantity + "/s";
+    case Units::time:
+        return "s";
+    }
+    return quantity;
+}
+
+} // namespace demens::rig::custom
