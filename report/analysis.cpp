@@ -78,6 +78,7 @@ json optimum_of(Analysis const& analysis)
         {"predicted_wmse", analysis.scalar(stored::optimum::predicted_wmse)},
         {"estimate", analysis.values(stored::optimum::estimate)},
         {"estimate_responses", analysis.values(stored::optimum::estimate_responses)},
+        {"estimate_sd", analysis.values(stored::optimum::estimate_sd)},
         {"least_misfit", analysis.scalar(stored::optimum::least_misfit)},
         {"degrees", analysis.scalar(stored::optimum::degrees)},
         {"p_value", analysis.scalar(stored::optimum::p_value)},

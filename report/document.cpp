@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "report/analysis.hpp"
+#include "report/comparison.hpp"
 #include "report/picture.hpp"
 
 namespace demens::report {
@@ -143,14 +144,20 @@ json details_of_shown_runs(ensemble::Campaign const& campaign, Analysis const& a
                       {"is_best", best_point && run->factors == best_point->data},
                       {"snapshots", json::array()},
                       {"series", json::array()},
+                      {"curves", json::array()},
+                      {"photograph", nullptr},
                       {"profiles", json::array()}};
         try {
             auto const details = details_of(run->run);
             entry["snapshots"] = pictures_of(details.snapshots);
             entry["series"] = columns_of(details.series);
             for (auto const& profile : details.profiles)
-                entry["profiles"].push_back(
-                    {{"name", profile.name}, {"doc", profile.doc}, {"columns", columns_of(profile.curve)}});
+                if (profile.name != "picture") // a pixel a row
+                    entry["profiles"].push_back({{"name", profile.name},
+                                                 {"doc", profile.doc},
+                                                 {"columns", columns_of(profile.curve)}});
+            entry["curves"] = curves_beside(campaign.input, e, details);
+            entry["photograph"] = picture_beside(campaign.input, e, details);
         } catch (InputError const& error) {
             entry["absent"] = error.what();
         }

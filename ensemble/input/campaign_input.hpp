@@ -4,13 +4,23 @@
 #include "ensemble/curve/curve_target.hpp"
 #include "ensemble/input/file_source.hpp"
 #include "ensemble/input/kinds.hpp"
+#include "ensemble/picture/picture_target.hpp"
 
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace demens::ensemble {
+
+//! What a target was made of.
+enum class TargetSource
+{
+    value,  //!< `target.RESPONSE`
+    curve,  //!< a window of `target.CURVE`
+    picture //!< a segment of `target.picture`
+};
 
 //! A measured value to be met by one response of one experiment.
 struct Target
@@ -24,7 +34,7 @@ struct Target
     TransformKind transform = TransformKind::none;
     double lower = std::numeric_limits<double>::quiet_NaN(); //!< range of the response, for logit
     double upper = std::numeric_limits<double>::quiet_NaN();
-    int curve = -1; //!< in Experiment::curves, whose window it is; -1: a response of the rig
+    TargetSource comes_of = TargetSource::value;
 };
 
 //! One rig under one set of conditions, with what was measured there.
@@ -33,9 +43,10 @@ struct Experiment
     std::string name;
     rig::RigInfo const* rig;
     int replicates = 1;                       //!< runs per design point, each with its own packing seed
-    std::vector<rig::ResponseInfo> responses; //!< what its rig measures, then what its curves add
+    std::vector<rig::ResponseInfo> responses; //!< what its rig measures, then what curves and a picture add
     std::vector<Target> targets;
-    std::vector<CurveTarget> curves = {}; //!< measured; each of their windows is a target
+    std::vector<CurveTarget> curves = {};      //!< measured; each of their windows is a target
+    std::optional<PictureTarget> picture = {}; //!< photographed; each of its segments is a target
 };
 
 //! A scalar of the resolved input that is to be found.

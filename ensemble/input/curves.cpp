@@ -272,7 +272,7 @@ std::vector<std::string> read_curve_target(InputTable const& table, RigCurve con
                                           .scale = scale * std::sqrt(weights / window.weight),
                                           .sd = target.sd / std::sqrt(window.effective),
                                           .tolerance = reader.of_values("tolerance"),
-                                          .curve = static_cast<int>(experiment.curves.size())});
+                                          .comes_of = TargetSource::curve});
         }
         experiment.responses.push_back(responses[k]);
     }

@@ -3,6 +3,7 @@
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/nearest.hpp"
 #include "ensemble/input/nested_tables.hpp"
+#include "ensemble/input/pictures.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -67,9 +68,10 @@ Target read_response_target(InputTable const& table, std::string const& name, in
 }
 
 //! Reads `target.RESPONSE` and `target.CURVE` of the last experiment in `base`. \return what is said of them
-std::vector<std::string> read_targets(InputTable const& targets, BaseInput& base, FileSource const& files,
+std::vector<std::string> read_targets(InputTable const& of, BaseInput& base, FileSource const& files,
                                       Experiment& experiment)
 {
+    auto const targets = of.table("target");
     auto const infos = experiment.responses; // those of the rig; curves add theirs
     std::vector<std::string> known;
     for (auto const& response : infos)
@@ -84,6 +86,8 @@ std::vector<std::string> read_targets(InputTable const& targets, BaseInput& base
                 read_response_target(table, name, static_cast<int>(response - known.begin())));
             continue;
         }
+        if (name == "picture")
+            continue; // comes last, as its responses do
         if (!curves)
             curves = curves_of(*experiment.rig, base);
         auto const curve =
@@ -103,6 +107,9 @@ std::vector<std::string> read_targets(InputTable const& targets, BaseInput& base
         for (auto& note : read_curve_target(table, *curve, files, base.files, experiment))
             notes.push_back(std::move(note));
     }
+    if (targets.has("picture"))
+        for (auto& note : read_picture_target(targets.table("picture"), of, files, base, experiment))
+            notes.push_back(std::move(note));
     return notes;
 }
 
@@ -143,7 +150,7 @@ ReadExperiments read_experiments(InputTable const& file, BaseInput& base,
                               .responses = rig::responses_of(rig, rig_values),
                               .targets = {}};
         base.experiments.push_back(std::move(rig_values));
-        for (auto& note : read_targets(table.table("target"), base, files, experiment))
+        for (auto& note : read_targets(table, base, files, experiment))
             read.notes.push_back(std::move(note));
         read.experiments.push_back(std::move(experiment));
     }

@@ -1,6 +1,7 @@
 #include "ensemble/input/input_options.hpp"
 
 #include "demens/contact/model.hpp"
+#include "demens/observe/picture/picture.hpp"
 #include "ensemble/input/campaign_input.hpp"
 #include "ensemble/input/section.hpp"
 
@@ -151,6 +152,60 @@ std::vector<OptionSpec> const& curve_window_options()
     return specs;
 }
 
+std::vector<OptionSpec> const& picture_options()
+{
+    static std::vector<OptionSpec> const specs = {
+        {.key = "file",
+         .default_value = word,
+         .doc = "photograph of the drum's end window against the light: PNG, JPEG or BMP",
+         .names_file = true},
+        {.key = "rotation",
+         .default_value = std::string(),
+         .doc = "how the drum turns as the camera sees it",
+         .required = true,
+         .choices = texts_of<observe::Rotation>()},
+        {.key = "threshold",
+         .default_value = std::string("auto"),
+         .doc = "darkness of the cut, 0 to 255, in quotes; auto: midway between bed and light"},
+        {.key = "simulated_cut",
+         .default_value = 0.5,
+         .doc = "share of the frames from which on a pixel of the rig's picture is bed [-]",
+         .lower = positive,
+         .upper = 1},
+        {.key = "closing_px",
+         .default_value = std::int64_t{7},
+         .doc = "of the closing of both masks, odd; 1: none",
+         .lower = 1,
+         .upper = 99},
+        {.key = "segments",
+         .default_value = std::int64_t{20},
+         .doc = "of the drum's diameter, in which the surface is compared",
+         .lower = 2,
+         .upper = 1000},
+        {.key = "inside_radius",
+         .default_value = 0.7745966692414834,
+         .doc = "share of the drum's radius within which they are compared; sqrt(0.6) as published",
+         .lower = 0.1,
+         .upper = 0.95},
+        {.key = "trust_circle",
+         .default_value = false,
+         .doc = "takes the circle as it is given although the rim that is seen is another"},
+        {.key = "sd_mm",
+         .default_value = not_given,
+         .doc = "standard deviation of a height; not given: half a pixel, or what three or more files show",
+         .lower = positive},
+        {.key = "scale_mm",
+         .default_value = 1.0,
+         .doc = "root mean square deviation of the surface that counts as one",
+         .lower = positive},
+        {.key = "tolerance_mm",
+         .default_value = not_given,
+         .doc = "deviation of a height that is good enough",
+         .lower = 0},
+    };
+    return specs;
+}
+
 std::vector<OptionSpec> const& factor_options()
 {
     static std::vector<OptionSpec> const specs = {
@@ -193,6 +248,17 @@ std::vector<ListSpec> const& size_distribution_lists()
          "share of the mass below each of `diameters_mm`, up to 1 [-]"},
         {"classes_mm", "numbers", "instead of the two above: diameters of discrete classes [mm]"},
         {"mass_fraction", "numbers", "share of the mass in each of `classes_mm`; they sum to 1 [-]"},
+    };
+    return specs;
+}
+
+std::vector<ListSpec> const& picture_lists()
+{
+    static std::vector<ListSpec> const specs = {
+        {"circle_px", "numbers",
+         "the drum's inner circle: x, y from the upper left corner, and radius; none: the largest that there "
+         "is room for"},
+        {"files", "words", "instead of `file`: photographs of which the mean is taken"},
     };
     return specs;
 }
@@ -267,6 +333,8 @@ std::vector<SectionInfo> const& all_sections()
          curve_options()},
         {"target.CURVE.window", "a part of the curve with a name; instead of `windows`",
          curve_window_options()},
+        {"target.picture", "in an experiment of the rig `drum`: a photograph that its picture should meet",
+         picture_options(), picture_lists()},
         {"[[factor]]", "a number of the input that is to be found", factor_options(), factor_lists()},
         {"[[constraint]]", "what the factors must satisfy together", constraint_options()},
         {"[screening]", "a wave before the design that finds out which factors act",

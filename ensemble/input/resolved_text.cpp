@@ -115,6 +115,16 @@ std::string in_line(std::vector<OptionSpec> const& specs, OptionValues const& va
     return "{ " + members + " }";
 }
 
+std::string in_line(PictureTarget const& picture)
+{
+    auto specs = picture_options();
+    std::erase_if(specs, [](OptionSpec const& spec) { return spec.key == "file"; });
+    auto members = in_line(specs, picture.given).substr(2);
+    if (!picture.circle.empty())
+        members = "circle_px = " + list(picture.circle, number_text) + ", " + members;
+    return "{ files = " + list(picture.files, quoted) + ", " + members;
+}
+
 //! Keys of a curve that can be read again.
 std::vector<OptionSpec> curve_specs(CurveTarget const& curve)
 {
@@ -136,8 +146,8 @@ void write_experiment(Writer& out, Experiment const& experiment, OptionValues co
     out.options(experiment_options(), header);
     out.options(experiment.rig->options, rig_values);
     for (auto const& target : experiment.targets) {
-        if (target.curve >= 0)
-            continue; // stands with its curve
+        if (target.comes_of != TargetSource::value)
+            continue; // stands with its curve or picture
         OptionValues values;
         values.set("value", target.value);
         values.set("scale", target.scale);
@@ -151,6 +161,8 @@ void write_experiment(Writer& out, Experiment const& experiment, OptionValues co
     }
     for (auto const& curve : experiment.curves)
         out.line("target." + curve.name, in_line(curve_specs(curve), curve.given), "a measured curve");
+    if (experiment.picture)
+        out.line("target.picture", in_line(*experiment.picture), "a photograph");
     out.tables("experiment", experiment.rig->tables, rig_values);
 }
 

@@ -83,14 +83,31 @@ double predicted_cost(CampaignInput const& input, RunRecord const& plan)
 
 } // namespace
 
+namespace {
+
+std::vector<double> curve_responses(Experiment const& experiment, rig::RunResult const& result)
+{
+    std::vector<double> all;
+    for (auto const& curve : experiment.curves)
+        for (double const response : responses_of(curve, result))
+            all.push_back(response);
+    return all;
+}
+
+std::vector<double> picture_responses(Experiment const& experiment, rig::RunResult const& result)
+{
+    return experiment.picture ? responses_of(*experiment.picture, result) : std::vector<double>{};
+}
+
+} // namespace
+
 rig::RunResult run_experiment(Experiment const& experiment, rig::RunInput const& input,
                               rig::RunHooks const& hooks)
 {
     auto result = experiment.rig->run(input, hooks);
     if (result.status == rig::RunStatus::finished)
-        for (auto const& curve : experiment.curves)
-            for (double const response : responses_of(curve, result))
-                result.responses.push_back(response);
+        for (auto const& made : {curve_responses(experiment, result), picture_responses(experiment, result)})
+            result.responses.insert(result.responses.end(), made.begin(), made.end());
     return result;
 }
 

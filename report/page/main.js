@@ -41,7 +41,7 @@ function show_input(parent) {
 
 const parts = {
     fit: show_fit, pictures: show_pictures, convergence: show_convergence, determination: show_determination,
-    responses: show_responses, series: show_series, runs: show_runs, timing: show_timing, input: show_input,
+    responses: show_responses, comparison: show_comparison, series: show_series, runs: show_runs, timing: show_timing, input: show_input,
 };
 
 document.body.dataset.errors = 0;

@@ -167,6 +167,8 @@ Programme describe(RunInput const& input)
     programme.readings = drum::readings(*setup);
     programme.profiles = drum::profiles(*setup, last);
     programme.responses = drum::responses(setup, last);
+    if (setup->keeps_picture)
+        programme.picture = observe::square_frame(setup->drum.radius, setup->pixels);
     return programme;
 }
 

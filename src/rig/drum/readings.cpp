@@ -6,6 +6,7 @@
 #include "demens/observe/potential_energy.hpp"
 
 #include <cmath>
+#include <numeric>
 
 namespace demens::rig::drum {
 namespace {
@@ -45,6 +46,17 @@ ProfileReading::Points surface(Look& look, Setup const& setup)
             ++column;
         points.values[column] = z;
     }
+    return points;
+}
+
+//! The end view at a moment: 1 where it is covered.
+ProfileReading::Points pixels(Look& look, Setup const& setup)
+{
+    auto const mask = picture(look, setup).view.mask();
+    ProfileReading::Points points;
+    points.axis.resize(mask.covered.size());
+    std::iota(points.axis.begin(), points.axis.end(), 0.0);
+    points.values.assign(mask.covered.begin(), mask.covered.end());
     return points;
 }
 
@@ -142,13 +154,25 @@ std::vector<Reading> readings(Setup const& setup)
 
 std::vector<ProfileReading> profiles(Setup const& setup, std::size_t stage)
 {
-    return {{.name = "surface",
-             .doc = "surface of the bed in the end view, mean over time where it does not end at the drum",
-             .axis = {"x", "m"},
-             .value = {"height", "m"},
+    std::vector<ProfileReading> profiles = {
+        {.name = "surface",
+         .doc = "surface of the bed in the end view, mean over time where it does not end at the drum",
+         .axis = {"x", "m"},
+         .value = {"height", "m"},
+         .stage = stage,
+         .over = ProfileReading::Over::samples,
+         .take = [&setup](Look& look) { return surface(look, setup); }}};
+    if (setup.keeps_picture)
+        profiles.push_back(
+            {.name = "picture",
+             .doc =
+                 "share of the time in which grains cover a pixel of the end view, row by row from the top",
+             .axis = {"pixel", "1"},
+             .value = {"share", "1"},
              .stage = stage,
              .over = ProfileReading::Over::samples,
-             .take = [&setup](Look& look) { return surface(look, setup); }}};
+             .take = [&setup](Look& look) { return pixels(look, setup); }});
+    return profiles;
 }
 
 } // namespace demens::rig::drum

@@ -140,7 +140,10 @@ OptionSpecs options()
           integer("samples_per_turn", 1000, "how often energy and end view are taken in a turn", 10, 1e6),
           number("avalanche_prominence", 0.005,
                  "smallest fall of the specific energy that is an avalanche, over g R [-]", 1e-9, 1.0),
-          integer("image_pixels", 256, "pixels of the end view along the diameter", 8, 8192)},
+          integer("image_pixels", 256, "pixels of the end view along the diameter", 8, 8192),
+          {.key = "keep_picture",
+           .default_value = false,
+           .doc = "keeps the end view's mean over time, a number a pixel, as the profile `picture`"}},
          run_options()});
 }
 
@@ -162,6 +165,7 @@ Setup::Setup(RunInput const& input)
     samples_per_turn = static_cast<double>(o.integer("samples_per_turn"));
     prominence = o.number("avalanche_prominence") * gravity_radius();
     pixels = static_cast<int>(o.integer("image_pixels"));
+    keeps_picture = o.flag("keep_picture");
     time_step = chosen_time_step(o, model, material, sizes.smallest());
     skin = skin_of(o, sizes);
     check(*this);

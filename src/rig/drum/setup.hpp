@@ -40,6 +40,7 @@ struct Setup
     double samples_per_turn;
     double prominence; //!< of an avalanche [J/kg]
     int pixels;
+    bool keeps_picture;
     double time_step, skin; //!< [s], [m]
 };
 

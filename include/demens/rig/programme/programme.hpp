@@ -1,5 +1,6 @@
 #pragma once
 
+#include "demens/observe/picture/picture.hpp"
 #include "demens/rig/programme/bench.hpp"
 
 #include <limits>
@@ -93,6 +94,9 @@ struct Programme
     std::vector<Reading> readings = {};
     std::vector<ProfileReading> profiles = {};
     std::vector<Response> responses = {};
+    //! Raster of the profile `picture`, pixel after pixel from the upper left corner; none: it is not
+    //! recorded.
+    std::optional<observe::PictureFrame> picture = {};
     //! Checks that take too long for every time that a run is planned; gives back what is doubtful about a
     //! run that can be done. \throws InputError
     std::function<std::vector<std::string>()> check = {};
