@@ -34,11 +34,11 @@ class TemporaryFolder
 };
 
 //! The document object model of a campaign's page after its scripts ran.
-std::string rendered(ensemble::Campaign const& campaign)
+std::string rendered(ensemble::Campaign const& campaign, DetailsOf const& details = test::sample_details)
 {
     TemporaryFolder const folder;
     auto const page = folder.path() / "page.html", result = folder.path() / "dom.html";
-    std::ofstream(page) << page_of(document_of(campaign, test::sample_details), campaign.input.name);
+    std::ofstream(page) << page_of(document_of(campaign, details), campaign.input.name);
     std::string const command =
         std::string("timeout 120 ") + CHROMIUM +
         " --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --disable-quic --no-first-run"
@@ -149,6 +149,59 @@ TEST(Render, plots_of_many_runs_are_thinned_and_say_so)
     auto const note = [&](int runs) { return "2000 of " + std::to_string(runs) + " runs, evenly taken"; };
     EXPECT_EQ(count_of(page, note(of_experiment)), 2 * 3); // of three responses in two experiments
     EXPECT_EQ(count_of(page, note(2 * of_experiment)), 1); // of the timing
+}
+
+TEST(Render, measured_curves_and_photographs_stand_beside_the_run)
+{
+    auto campaign = test::campaign_under_way();
+    auto& experiment = campaign.input.experiments[0];
+    ensemble::CurveTarget curve{.name = "upper_mass_kg", .curve = {{0, 0.5, 1}, {10, 8, 5}}, .sd = 0.1};
+    curve.windows = {{.name = "early", .from = 0, .to = 0.5, .first = 0, .end = 1},
+                     {.name = "late", .from = 0.5, .to = 1, .first = 1, .end = 3}};
+    auto const add_targets = [&](std::vector<rig::ResponseInfo> const& responses, std::size_t skipped,
+                                 ensemble::TargetSource source) {
+        for (std::size_t k = 0; k < responses.size(); ++k) {
+            if (k >= skipped)
+                experiment.targets.push_back(
+                    {responses[k].name, static_cast<int>(experiment.responses.size()), 1, 1, 0.1, 0.1});
+            experiment.responses.push_back(responses[k]);
+        }
+        experiment.targets.back().comes_of = source;
+    };
+    for (auto const& response : responses_of(curve, "s", "kg"))
+        add_targets({response}, 0, ensemble::TargetSource::curve);
+    experiment.curves = {curve};
+    // Below the axis is bed in the photograph, below 1/4 of the radius above it in the simulation.
+    auto const frame = observe::square_frame(0.1, 40);
+    auto const bed_below = [&](double height) {
+        observe::GreyImage image(40, 40);
+        for (int row = 0; row < 40; ++row)
+            for (int column = 0; column < 40; ++column)
+                image.at(column, row) = frame.z(row) < height ? 1 : 0;
+        return image;
+    };
+    ensemble::PictureTarget picture{
+        .frame = frame, .simulated = frame, .reading = {.closing = 1, .segments = 4}};
+    picture.bed = read_bed(cut_through(bed_below(0), 0.5), frame, picture.reading);
+    picture.segments = {1, 2};
+    add_targets(responses_of(picture), ensemble::picture_numbers, ensemble::TargetSource::picture);
+    experiment.targets[experiment.targets.size() - 2].comes_of = ensemble::TargetSource::picture;
+    experiment.picture = picture;
+    auto const page = rendered(campaign, [&](int run) {
+        auto details = test::sample_details(run);
+        rig::Series pixels{{"pixel", "share"}, {"1", "1"}, {std::vector<double>(1600), {}}};
+        for (float const share : bed_below(0.025).darkness)
+            pixels.columns[1].push_back(static_cast<double>(share));
+        details.profiles.push_back({"picture", "", pixels});
+        return details;
+    });
+    expect_no_error(page);
+    auto const marks = marks_of(page);
+    EXPECT_EQ(marks.at("curve-0-upper_mass_kg"),
+              1 + 1 + 1 + 1); // border, band, both lines; nothing is predicted yet
+    EXPECT_EQ(marks.at("photograph-0"), 1600);
+    EXPECT_EQ(marks.count("profile-0-picture"), 0u);
+    EXPECT_NE(page.find("mm² differ"), std::string::npos);
 }
 
 TEST(Render, new_campaign)

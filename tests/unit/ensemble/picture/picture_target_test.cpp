@@ -173,8 +173,7 @@ TEST_P(Photograph, ThatCannotBeRightIsRefused)
     EXPECT_EQ(message_about(campaign(target), good), "");
     EXPECT_THAT(message_about(with("[98, 110, 90]", "[98, 110, 111]"), good),
                 HasSubstr("target.picture.file = \"d.png\": "));
-    EXPECT_THAT(message_about(with("[98, 110, 90]", "[98, 110]"), good),
-                HasSubstr("circle_px: must be three numbers"));
+    EXPECT_THAT(message_about(with("[98, 110, 90]", "[98, 110]"), good), HasSubstr("must be three numbers"));
     EXPECT_THAT(message_about(campaign(target), png_of(observe::GreyImage(200, 210))),
                 HasSubstr("target.picture.file"));
     EXPECT_THAT(message_about(campaign(target), "no picture"), HasSubstr("target.picture.file"));
