@@ -52,6 +52,7 @@ Apparatus build(Setup const& setup)
     double const beyond = 1.5 * setup.drum.radius, half = 0.5 * setup.drum.width;
     Apparatus apparatus{.model = setup.model, .options = simulation_options(setup.options, setup.time_step)};
     apparatus.options.skin = setup.skin;
+    apparatus.options.gravity = setup.gravity();
     apparatus.options.domain_lower = {-beyond, -setup.drum.width, -beyond};
     apparatus.options.domain_upper = {beyond, setup.drum.width, beyond};
     if (setup.ends == Ends::periodic)

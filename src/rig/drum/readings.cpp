@@ -141,8 +141,8 @@ std::vector<Reading> readings(Setup const& setup)
 {
     return {{"energy", "mJ/kg", "specific potential energy above the drum's lowest point",
              [&setup](Look& look) {
-                 return 1e3 * observe::specific_potential_energy(look.particles(), setup.drum.gravity,
-                                                                 -setup.drum.radius);
+                 return 1e3 * observe::specific_potential_energy(look.particles(), setup.gravity(),
+                                                                 setup.lowest_point());
              }},
             {"area", "%", "part of the end view that particles cover",
              [&setup](Look& look) { return 100 * picture(look, setup).view.covered_fraction(); }},

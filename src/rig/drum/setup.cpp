@@ -13,10 +13,13 @@ namespace demens::rig::drum {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr std::array<Word<Ends>, 3> end_words = {
-    {{Ends::turning, "turning"}, {Ends::resting, "resting"}, {Ends::periodic, "periodic"}}};
-constexpr double pours_to = 0.55;        //!< solid fraction that poured spheres reach
-constexpr double cannot_tell_below = 10; //!< samples, fewer of which have no statistics
+constexpr std::array<Word<Ends>, 4> end_words = {{{Ends::turning, "turning"},
+                                                  {Ends::resting, "resting"},
+                                                  {Ends::frictionless, "frictionless"},
+                                                  {Ends::periodic, "periodic"}}};
+constexpr char const* smooth_window = "frictionless end"; // a material that no campaign can name
+constexpr double pours_to = 0.55;                         //!< solid fraction that poured spheres reach
+constexpr double cannot_tell_below = 10;                  //!< samples, fewer of which have no statistics
 
 //! The one of two keys that is given (not 0). \throws InputError when both or none are
 std::string given_one(OptionValues const& o, std::string const& a, std::string const& b,
@@ -50,20 +53,44 @@ double bulk_density_of(OptionValues const& o, double density)
                : o.number("solid_fraction") * density;
 }
 
-double mass_of(OptionValues const& o, DrumState const& drum, double bulk_density)
+double mass_of(OptionValues const& o, DrumState const& drum, double bulk_density, double mean_mass)
 {
-    return given_one(o, "mass_kg", "fill_fraction", "either sets the fill") == "mass_kg"
-               ? o.number("mass_kg")
-               : o.number("fill_fraction") * bulk_density * drum.volume();
+    constexpr auto why = "either sets the fill";
+    if (o.number("particles") == 0)
+        return given_one(o, "mass_kg", "fill_fraction", why) == "mass_kg"
+                   ? o.number("mass_kg")
+                   : o.number("fill_fraction") * bulk_density * drum.volume();
+    for (auto const* other : {"mass_kg", "fill_fraction"})
+        if (o.number(other) > 0)
+            given_one(o, "particles", other, why); // says that both are
+    return o.number("particles") * mean_mass;
 }
 
-DrumState state_of(OptionValues const& o, double bulk_density)
+//! The ends as a material of their own: as another one, but that nothing holds on to it.
+void add_smooth_window(contact::Model& model, std::string const& like, std::string const& particles)
+{
+    auto window = material_named(model, like);
+    window.name = smooth_window;
+    model.materials.push_back(window);
+    for (auto pair : std::vector(model.pairs)) {
+        if (!((pair.first == like && pair.second == particles) ||
+              (pair.first == particles && pair.second == like)))
+            continue;
+        pair.first = particles;
+        pair.second = smooth_window;
+        pair.static_friction = pair.kinetic_friction = pair.rolling_friction = pair.rolling_viscosity = 0;
+        model.pairs.push_back(pair);
+        return;
+    }
+}
+
+DrumState state_of(OptionValues const& o, double bulk_density, double mean_mass)
 {
     DrumState drum{.radius = 1e-3 * o.number("radius_mm"),
                    .width = 1e-3 * o.number("width_mm"),
                    .gravity = gravity_downwards(o)};
     drum.angular_velocity = angular_velocity(o, drum.radius, drum.gravity);
-    drum.mass = mass_of(o, drum, bulk_density);
+    drum.mass = mass_of(o, drum, bulk_density, mean_mass);
     return drum;
 }
 
@@ -96,6 +123,11 @@ void check(Setup const& setup)
     double const largest = setup.sizes.largest();
     check_room("width_mm", setup.drum.width, largest);
     check_room("radius_mm", setup.drum.radius, largest);
+    if (setup.ends == Ends::periodic && setup.tilt != 0)
+        throw InputError(fmt::format(
+            "tilt_deg = {:.4g} needs ends = \"turning\", \"resting\" or \"frictionless\": nothing would hold "
+            "the bed in a drum that goes on periodically",
+            setup.options.number("tilt_deg")));
     if (setup.ends == Ends::periodic && setup.drum.width < 2.2 * (largest + setup.skin))
         throw InputError(
             fmt::format("width_mm = {:.4g} is too narrow for periodic ends: a particle of {:.4g} mm "
@@ -128,10 +160,13 @@ OptionSpecs options()
           required(number("radius_mm", 0, "inner radius [mm]", 1e-6)),
           required(number("width_mm", 0, "inner width [mm]", 1e-6)),
           choice("ends", texts_of(end_words),
-                 "end walls turn with the drum or stand still, or the drum goes on periodically"),
+                 "end walls turn with the drum, stand still or have no friction, or the drum goes on "
+                 "periodically"),
+          number("tilt_deg", 0, "of the axis against the horizontal [deg]", -60, 60),
           number("speed_rpm", 0, "speed [1/min]; 0: from froude", 1e-9),
           number("froude", 0, "omega^2 R/g [-]; 0: from speed_rpm", 1e-15),
-          number("mass_kg", 0, "mass of the fill [kg]; 0: from fill_fraction", 1e-15),
+          number("mass_kg", 0, "mass of the fill [kg]; 0: from fill_fraction or particles", 1e-15),
+          number("particles", 0, "number of particles [-]; 0: from mass_kg or fill_fraction", 1),
           number("fill_fraction", 0, "bulk volume over the drum's volume [-]; 0: from mass_kg", 1e-3),
           number("bulk_density", 0, "of the fill [kg/m^3]; 0: from solid_fraction", 1e-3),
           number("solid_fraction", 0, "of the fill [-]; 0: from bulk_density", 0.05, densest),
@@ -159,7 +194,12 @@ Setup::Setup(RunInput const& input)
     ends = read_word(end_words, o.text("ends"));
     density = material_named(model, material).density;
     bulk_density = bulk_density_of(o, density);
-    drum = state_of(o, bulk_density);
+    drum = state_of(o, bulk_density, density / sizes.spheres_per_volume());
+    tilt = o.number("tilt_deg") * pi / 180;
+    if (ends == Ends::frictionless) {
+        add_smooth_window(model, end_material, material);
+        end_material = smooth_window;
+    }
     discard_turns = o.number("discard_turns");
     measure_turns = o.number("measure_turns");
     samples_per_turn = static_cast<double>(o.integer("samples_per_turn"));
@@ -174,6 +214,17 @@ Setup::Setup(RunInput const& input)
 double Setup::fall_time() const
 {
     return std::sqrt(4 * drum.radius / drum.gravity);
+}
+
+Vector3 Setup::gravity() const
+{
+    return tilt == 0 ? Vector3{0, 0, -drum.gravity}
+                     : drum.gravity * Vector3{0, std::sin(tilt), -std::cos(tilt)};
+}
+
+Vector3 Setup::lowest_point() const
+{
+    return {0, tilt == 0 ? 0 : std::copysign(0.5 * drum.width, tilt), -drum.radius};
 }
 
 double Setup::expected_particles() const

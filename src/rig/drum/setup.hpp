@@ -9,13 +9,14 @@ namespace demens::rig::drum {
 //! What closes a drum at its ends.
 enum class Ends
 {
-    turning, //!< discs that turn with the drum
-    resting, //!< windows that stand still
-    periodic //!< nothing: the drum is a slice of an endless one
+    turning,      //!< discs that turn with the drum
+    resting,      //!< windows that stand still
+    frictionless, //!< windows that hold nothing back, whatever they do
+    periodic      //!< nothing: the drum is a slice of an endless one
 };
 
 //! Options of the drum as numbers in SI units. The origin is the middle of the axis, which is y; z is up; the
-//! bed climbs towards +x.
+//! bed climbs towards +x. A drum that is tilted stays so, and gravity has a part along its axis, towards +y.
 struct Setup
 {
     //! \throws InputError about what cannot be run.
@@ -23,7 +24,9 @@ struct Setup
 
     double sample_interval() const { return drum.seconds_per_turn() / samples_per_turn; } //!< [s]
     double gravity_radius() const { return drum.gravity * drum.radius; } //!< unit of specific energies [J/kg]
-    double fall_time() const; //!< from the top to the bottom of the drum [s]
+    double fall_time() const;     //!< from the top to the bottom of the drum [s]
+    Vector3 gravity() const;      //!< [m/s^2]
+    Vector3 lowest_point() const; //!< of the drum [m]
     double expected_particles() const;
     double expected_duration() const; //!< [s]
 
@@ -36,6 +39,7 @@ struct Setup
     DrumState drum;
     double density;      //!< of the solid [kg/m^3]
     double bulk_density; //!< of the fill [kg/m^3]; 0: unknown
+    double tilt;         //!< of the axis, downwards to +y [rad]
     double discard_turns, measure_turns;
     double samples_per_turn;
     double prominence; //!< of an avalanche [J/kg]

@@ -75,7 +75,7 @@ TEST(PotentialEnergy, OfABedIsThatOfItsSegment)
     for (double const fill : {0.35, 0.40})
         for (double const angle : {0.0, 35.4, 41.3}) {
             auto const bed = fine_bed(fill, angle, 0.005);
-            EXPECT_NEAR(observe::specific_potential_energy(view_of(bed), 9.81, -1),
+            EXPECT_NEAR(observe::specific_potential_energy(view_of(bed), {0, 0, -9.81}, {0, 0, -1}),
                         9.81 * CircularSegment(fill).energy(angle), 2e-3 * 9.81)
                 << fill << " " << angle;
         }
@@ -86,7 +86,7 @@ TEST(PotentialEnergy, WeighsByMass)
     dem::Particles two;
     two.place = {{0, 0, 1, 0.1}, {0, 0, 2, 0.1}};
     two.motion = {of_mass(3), of_mass(1)};
-    EXPECT_DOUBLE_EQ(observe::specific_potential_energy(view_of(two), 10, 0), 12.5);
+    EXPECT_DOUBLE_EQ(observe::specific_potential_energy(view_of(two), {0, 0, -10}, {}), 12.5);
 }
 
 TEST(EndView, SeesTheFillOfAnIdealBedAndItsSurface)
