@@ -10,6 +10,8 @@ RigInfo impact_rig();
 RigInfo drawdown_rig();
 //! A rotating drum: energies of `drum-am-powders`, end views of `drum-wood-powders`.
 RigInfo drum_rig();
+//! A heap poured by a lifted cylinder or a funnel: the static angle of repose.
+RigInfo heap_rig();
 //! A rig that is described by its experiment alone: `src/rig/custom/CUSTOM.md`.
 RigInfo custom_rig();
 
