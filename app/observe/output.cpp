@@ -147,11 +147,12 @@ std::string as_json(Observations const& observations, std::vector<Response> cons
     if (observations.reference)
         document["reference"] = observations.reference->name;
     for (std::size_t k = 0; k < observations.pictures.size(); ++k) {
-        auto const& [name, picture, frame, cut, bed] = observations.pictures[k];
+        auto const& [name, picture, frame, cut, bed, smoothing] = observations.pictures[k];
         Json entry = {{"name", name},
                       {"circle_px", {frame.circle.x, frame.circle.y, frame.circle.radius}},
                       {"pixels", {frame.columns, frame.rows}},
-                      {"cut_darkness", 255 * cut.level}};
+                      {"cut_darkness", 255 * cut.level},
+                      {"smoothing_px", smoothing}};
         for (auto const& response : responses)
             entry[response.name] = json_of(response.values[k]);
         Json x = Json::array(), heights = Json::array();

@@ -146,13 +146,13 @@ Observed read(Source source, ObserveArguments const& arguments)
             auto cut = observe::cut_through(source.picture, arguments.occupancy);
             auto bed = observe::read_bed(cut, frame, arguments.photograph.bed);
             observe::require_climb(bed, frame.rotation);
-            return {source.name, std::move(source.picture), frame, std::move(cut), std::move(bed)};
+            return {source.name, std::move(source.picture), frame, std::move(cut), std::move(bed), 1};
         }
         auto picture = arguments.turned_deg == 0
                            ? std::move(source.picture)
                            : observe::turned(source.picture, frame.circle, arguments.turned_deg);
-        auto [cut, bed] = observe::read_photograph(picture, frame, arguments.photograph);
-        return {source.name, std::move(picture), frame, std::move(cut), std::move(bed)};
+        auto [cut, bed, smoothing] = observe::read_photograph(picture, frame, arguments.photograph);
+        return {source.name, std::move(picture), frame, std::move(cut), std::move(bed), smoothing};
     });
 }
 

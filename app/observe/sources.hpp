@@ -12,6 +12,7 @@ struct Observed
     observe::PictureFrame frame;
     observe::Cut cut;
     observe::BedPicture bed;
+    int smoothing; //!< pixels of the means that took noise out; 1: none
 };
 
 //! What the files show, and what these are compared with, all on rasters of the photographs if there are any.

@@ -14,8 +14,8 @@ namespace demens::testing {
 //! show it. Darkness from 0 to 1.
 struct DrumPhotograph
 {
-    int columns = 412, rows = 408;
-    observe::Circle circle{205.3, 203.8, 200}; //!< the drum's
+    int columns = 312, rows = 308;
+    observe::Circle circle{155.3, 153.8, 150}; //!< the drum's
     double angle_deg = 30;           //!< of the surface, in the picture: positive when it climbs to the right
     double height = -20;             //!< of the surface above the drum's axis, over it [pixels]
     double blur = 1.5;               //!< standard deviation of the passage from bed to light [pixels]

@@ -14,9 +14,13 @@ namespace demens::observe {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double explained = 0.9;     //!< share of a column's pixels that a surface must explain
-constexpr double least_columns = 0.8; //!< share of a segment's columns that must have a surface
-constexpr double falls_back_deg = 3;  //!< a bed that descends by more, as the drum turns, is seen mirrored
+constexpr double explained = 0.95;     //!< share of a column's pixels that a surface must explain
+constexpr double least_columns = 0.8;  //!< share of a segment's columns that must have a surface
+constexpr double most_missing = 0.1;   //!< share of the columns between a surface's ends that may have none
+constexpr double reaches_rim = 0.9;    //!< share of the radius looked at, from which on a surface is whole
+constexpr double column_scatter = 0.3; //!< of a column's surface by noise that is enough [pixels]
+constexpr int most_smoothing = 9;      //!< [pixels]
+constexpr double falls_back_deg = 3;   //!< a bed that descends by more, as the drum turns, is seen mirrored
 
 //! Row of the surface in a column, from the top, with the share of a pixel; NaN where there is none.
 double surface_row(GreyImage const& excess, int column, int from, int end)
@@ -62,6 +66,77 @@ std::vector<Point> surface_points(GreyImage const& excess, PictureFrame const& f
     return points;
 }
 
+//! Mean darkness over a pixel downwards, about the surface, as far as two pixels from it.
+double slope_at(GreyImage const& excess, PictureFrame const& frame, std::vector<Point> const& points)
+{
+    double sum = 0;
+    for (auto const& [x, z] : points) {
+        double const column = frame.circle.x + x / frame.pixel_size(),
+                     row = frame.circle.y - z / frame.pixel_size();
+        sum += (excess.between(column, row + 2) - excess.between(column, row - 2)) / 4;
+    }
+    return points.empty() ? 0 : sum / static_cast<double>(points.size());
+}
+
+//! Where points end and how many columns between are without.
+void note_ends(BedPicture& bed, std::vector<Point> const& points, PictureFrame const& frame,
+               Circle const& inner)
+{
+    if (points.empty())
+        return;
+    auto const from_axis = [&](Point const& p) {
+        return std::hypot(p[0], p[1]) / (inner.radius * frame.pixel_size());
+    };
+    bed.ends = {from_axis(points.front()), from_axis(points.back())};
+    auto const columns =
+        static_cast<int>(std::lround((points.back()[0] - points.front()[0]) / frame.pixel_size())) + 1;
+    bed.missing_columns = columns - static_cast<int>(points.size());
+}
+
+//! Over how many pixels, n x n, noise must be averaged so that it moves the surface of a column little.
+int smoothing_against(double noise, double slope)
+{
+    if (!(slope > 0))
+        return 1;
+    int n = 1;
+    while (n < most_smoothing && noise / n > column_scatter * slope)
+        n += 2;
+    return n;
+}
+
+//! \throws InputError when noise may move the height over a segment by more than half a pixel
+void require_known(double noise, PhotographedBed const& read, PictureFrame const& frame, int segments)
+{
+    // Means over n pixels are the same in n columns.
+    double const columns = std::max(1.0, 2 * frame.circle.radius / segments / read.smoothing);
+    double const scatter = noise / read.smoothing / read.bed.slope / std::sqrt(columns);
+    if (read.bed.surface_columns > 0 && !(2.5 * scatter <= 0.5))
+        throw InputError(fmt::format("the picture is too noisy for its blur: from pixel to pixel darkness "
+                                     "scatters by {:.2g} of 255, and passes "
+                                     "from bed to light by {:.2g} a pixel, so that the surface is known "
+                                     "within {:.2g} pixels at best; at most "
+                                     "0.5; take the mean of several pictures, or fewer segments",
+                                     255 * noise, 255 * read.bed.slope, 2.5 * scatter));
+}
+
+//! \throws InputError when the surface is lost on the way from rim to rim
+void require_surface(BedPicture const& bed)
+{
+    if (bed.surface_columns < 3)
+        throw InputError("no surface is seen: nowhere does light stand above a bed");
+    for (std::size_t k = 0; k < 2; ++k)
+        if (bed.ends[k] < reaches_rim)
+            throw InputError(
+                fmt::format("the surface is lost on the {}, at {:.2g} of the radius: there, no light above "
+                            "a bed explains the pixels; look for shadows, glare or dirt on the window",
+                            k == 0 ? "left" : "right", bed.ends[k]));
+    if (bed.missing_columns > most_missing * (bed.surface_columns + bed.missing_columns))
+        throw InputError(
+            fmt::format("the surface is lost in {} of the {} columns of pixels between its ends; look for "
+                        "shadows, glare or dirt on the window",
+                        bed.missing_columns, bed.surface_columns + bed.missing_columns));
+}
+
 SegmentProfile profile_of(std::vector<Point> const& points, PictureFrame const& frame, int segments)
 {
     SegmentProfile profile;
@@ -95,6 +170,8 @@ BedPicture read_bed(Cut const& cut, PictureFrame const& frame, BedReading const&
     auto const points = surface_points(cut.excess, frame, inner);
     auto const line = fit_principal_line(points);
     bed.surface_columns = line.points;
+    bed.slope = slope_at(cut.excess, frame, points);
+    note_ends(bed, points, frame, inner);
     bed.angle_deg = frame.rotation == Rotation::clockwise ? -line.angle_deg : line.angle_deg;
     bed.straightness = line.r2;
     if (line.points < 3)
@@ -130,16 +207,30 @@ PhotographedBed read_photograph(GreyImage const& image, PictureFrame const& fram
                                 PhotographReading const& reading)
 {
     require_whole(frame.circle, image.columns, image.rows);
-    auto const inner = frame.circle.scaled(1 - reading.bed.rim);
-    PhotographedBed read{.cut = reading.threshold ? cut_at(image, inner, *reading.threshold)
-                                                  : cut_midway(image, inner),
-                         .bed = {}};
-    require_clear_rim(read.cut, inner);
+    auto const read = [&](int smoothing) {
+        auto wanted = reading.bed; // means must not reach into the rim
+        wanted.rim += 0.5 * (smoothing - 1) / frame.circle.radius;
+        auto const inner = frame.circle.scaled(1 - wanted.rim);
+        PhotographedBed now{.cut = reading.threshold
+                                       ? cut_at(smoothed(image, smoothing), inner, *reading.threshold)
+                                       : cut_midway(image, inner, smoothing),
+                            .bed = {},
+                            .smoothing = smoothing};
+        require_clear_rim(now.cut, inner);
+        now.bed = read_bed(now.cut, frame, wanted);
+        return now;
+    };
+    auto result = read(1);
+    double const noise = noise_of(image, result.cut, frame.circle.scaled(1 - reading.bed.rim));
+    if (int const n = smoothing_against(noise, result.bed.slope); n > 1)
+        result = read(n);
     if (!reading.trust_circle)
-        require_circle(image, frame.circle, 0.5 * (read.cut.light + read.cut.bed));
-    read.bed = read_bed(read.cut, frame, reading.bed);
-    require_climb(read.bed, frame.rotation);
-    return read;
+        require_circle(smoothed(image, std::min(3, result.smoothing)), frame.circle,
+                       result.cut.bed - result.cut.light);
+    require_known(noise, result, frame, reading.bed.segments);
+    require_surface(result.bed);
+    require_climb(result.bed, frame.rotation);
+    return result;
 }
 
 } // namespace demens::observe

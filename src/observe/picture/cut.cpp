@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,7 @@ namespace {
 //! two have 2.7, noise about one value 2.3.
 constexpr double least_separation = 4;
 constexpr double least_contrast = 8.0 / 255;
+constexpr double most_uneven = 0.2;   //!< what a side's polynomial leaves over, over the contrast
 constexpr double least_share = 0.005; //!< of the pixels that a class has
 
 [[noreturn]] void refuse(std::string const& why)
@@ -127,22 +129,47 @@ Cut cut_at(GreyImage const& image, Circle const& inside, double level)
     return cut;
 }
 
-Cut cut_midway(GreyImage const& image, Circle const& inside)
+Cut cut_midway(GreyImage const& image, Circle const& inside, int smoothing)
 {
-    double const level = otsu_level(image, inside);
-    require_both(sides_of(image, inside, level), level);
-    auto cut = cut_through(image, level);
-    EvenLight even(image, inside);
+    auto const smooth = smoothed(image, smoothing);
+    double const level = otsu_level(smooth, inside);
+    require_both(sides_of(smooth, inside, level), level);
+    auto cut = cut_through(smooth, level);
+    EvenLight even(image, smooth, inside);
     if (!even.follow(cut))
         refuse("dark and light pixels are mixed everywhere");
-    require_apart(even.contrast(), even.light_spread(), even.bed_spread());
-    if (double const shift = even.shift(cut); shift > 0.5)
+    require_apart(even.contrast(), even.light_spread() / smoothing, even.bed_spread() / smoothing);
+    if (even.unevenness() > most_uneven)
+        throw InputError(
+            fmt::format("the light is too uneven: over parts of a side darkness is {:.0f} % of the contrast "
+                        "off what a polynomial of second order says, so that it may be neither bed nor "
+                        "light; at most {:.0f} %; look for shadows and glare",
+                        100 * even.unevenness(), 100 * most_uneven));
+    if (double const shift = even.shift(); shift > 0.5)
         throw InputError(
             fmt::format("the light is too uneven: what a polynomial of second order leaves of it may "
                         "move the surface by {:.2g} pixels; at most 0.5; light the window evenly, or "
                         "give a threshold",
                         shift));
     return cut;
+}
+
+double noise_of(GreyImage const& image, Cut const& cut, Circle const& inside)
+{
+    std::array<std::vector<double>, 2> steps; // of light and bed
+    for (int row = 1; row < image.rows; ++row)
+        for (int column = 0; column < image.columns; ++column) {
+            bool const is_bed = cut.excess.at(column, row) > 0;
+            if (inside.contains(column, row) && inside.contains(column, row - 1) &&
+                is_bed == (cut.excess.at(column, row - 1) > 0))
+                steps[is_bed ? 1 : 0].push_back(static_cast<double>(image.at(column, row)) -
+                                                static_cast<double>(image.at(column, row - 1)));
+        }
+    double noise = 0;
+    for (auto& side : steps)
+        if (!side.empty())
+            noise = std::max(noise, middle_of(std::move(side)).spread / std::sqrt(2.0));
+    return noise;
 }
 
 } // namespace demens::observe

@@ -8,8 +8,10 @@
 namespace demens::observe {
 namespace {
 
-constexpr int rounds = 4;      //!< of telling the sides apart and fitting them
+constexpr int rounds = 4; //!< of telling the sides apart and fitting them
+constexpr int refinements = 4;
 constexpr double guard = 0.05; //!< distance from the surface in radii at which a side is itself
+constexpr double widest_guard = 0.2;
 constexpr double far_from_other =
     0.9; //!< share of a pixel's box that is of its own side, away from the surface
 constexpr std::size_t least_pixels = 50;
@@ -17,8 +19,9 @@ constexpr int block = 8; //!< pixels along a side of what an unevenness must fil
 
 } // namespace
 
-EvenLight::EvenLight(GreyImage const& image, Circle const& inside)
-    : image_(image), inside_(inside), box_(2 * static_cast<int>(std::ceil(guard * inside.radius)) + 1)
+EvenLight::EvenLight(GreyImage const& image, GreyImage const& smooth, Circle const& inside)
+    : image_(image), smooth_(smooth), inside_(inside),
+      box_(2 * static_cast<int>(std::ceil(guard * inside.radius)) + 1)
 {
 }
 
@@ -37,43 +40,69 @@ EvenLight::Side EvenLight::fit(std::vector<Pixel> const& pixels) const
         side.field.add(u(pixel.column), v(pixel.row), values.back());
     }
     side.field.fit();
-    side.lowest = quantile_of(values, 0.02), side.highest = quantile_of(values, 0.98);
+    double const low = quantile_of(values, 0.02), high = quantile_of(values, 0.98);
+    side.lowest = low - 0.5 * (high - low), side.highest = high + 0.5 * (high - low);
     return side;
 }
 
-void EvenLight::judge(Side& side, std::vector<Pixel> const& pixels) const
+// Least distances by least squares, weighted anew (Weiszfeld): light that is cut off at white has no mean.
+void EvenLight::refine(Side& side, std::vector<Pixel> const& pixels) const
+{
+    for (int round = 0; round < refinements; ++round) {
+        double const softest = std::max(1e-4, 0.3 * side.spread);
+        QuadraticField better;
+        for (auto const& pixel : pixels) {
+            double const x = u(pixel.column), y = v(pixel.row), value = darkness(pixel);
+            better.add(x, y, value, 1 / std::max(softest, std::abs(value - side.field(x, y))));
+        }
+        better.fit();
+        side.field = better;
+    }
+}
+
+void EvenLight::judge(Side& side, std::vector<Pixel> const& pixels, Mask const& mask) const
 {
     std::vector<double> off;
     off.reserve(pixels.size());
     for (auto const& pixel : pixels)
         off.push_back(darkness(pixel) - at(side, pixel.column, pixel.row));
     side.spread = middle_of(std::move(off)).spread;
-    side.remainder = remainder_of(side, pixels);
+    refine(side, pixels);
+    side.remainder = remainder_of(side, pixels, mask);
 }
 
-double EvenLight::remainder_of(Side const& side, std::vector<Pixel> const& pixels) const
+double EvenLight::remainder_of(Side const& side, std::vector<Pixel> const& pixels, Mask const& mask) const
 {
     struct Sum
     {
         double value = 0;
-        int count = 0;
+        int count = 0, near = 0; //!< pixels, and those near the surface
     };
     auto const across = static_cast<std::size_t>(image_.columns / block + 1);
     std::vector<Sum> blocks(across * static_cast<std::size_t>(image_.rows / block + 1));
+    // What is near the surface moves it; what is far from it may be no bed, or no light, at all.
+    auto const share = neighbour_share(mask, 3 * box_);
     for (auto const& pixel : pixels) {
+        auto const grains = share[image_.index(pixel.column, pixel.row)];
         auto& sum = blocks[static_cast<std::size_t>(pixel.row / block) * across +
                            static_cast<std::size_t>(pixel.column / block)];
         sum.value += darkness(pixel) - at(side, pixel.column, pixel.row);
         ++sum.count;
+        sum.near += grains > 0.02F && grains < 0.98F ? 1 : 0;
     }
-    std::vector<double> means;
+    std::vector<double> all, near;
     for (auto const& sum : blocks)
-        if (4 * sum.count >= 3 * block * block)
-            means.push_back(std::abs(sum.value) / sum.count);
-    if (means.empty())
-        return 0;
+        if (4 * sum.count >= 3 * block * block) {
+            all.push_back(std::abs(sum.value) / sum.count);
+            if (2 * sum.near > sum.count)
+                near.push_back(all.back());
+        }
+    double remainder = 0;
+    for (auto* means : {&all, &near})
+        if (!means->empty())
+            remainder = std::max(remainder, quantile_of(std::move(*means), 0.95));
     double const noise = 2 * side.spread / block; // two standard deviations of a block's mean
-    return std::max(0.0, quantile_of(std::move(means), 0.95) - noise);
+    return std::max(0.0, remainder - noise);
 }
 
 bool EvenLight::is_at_surface(std::vector<float> const& share, int column, int row) const
@@ -91,6 +120,12 @@ bool EvenLight::is_at_surface(std::vector<float> const& share, int column, int r
 bool EvenLight::follow(Cut& cut)
 {
     for (int round = 0; round < rounds; ++round) {
+        // A side is itself where the blur does not reach: three of its standard deviations away from the
+        // surface.
+        if (round > 0 && find_surface(cut))
+            box_ = std::max(box_, 2 * std::min(static_cast<int>(std::ceil(2.5 * width_)),
+                                               static_cast<int>(widest_guard * inside_.radius)) +
+                                      1);
         share_ = neighbour_share(cut.mask(), box_);
         std::vector<Pixel> light, bed;
         for (int row = 0; row < image_.rows; ++row)
@@ -106,18 +141,23 @@ bool EvenLight::follow(Cut& cut)
             return false;
         light_ = fit(light), bed_ = fit(bed);
         if (round + 1 == rounds)
-            judge(light_, light), judge(bed_, bed);
+            judge(light_, light, cut.mask()), judge(bed_, bed, cut.mask());
         for (int row = 0; row < image_.rows; ++row)
             for (int column = 0; column < image_.columns; ++column) {
                 double const middle = 0.5 * (at(light_, column, row) + at(bed_, column, row));
                 cut.excess.at(column, row) =
-                    static_cast<float>(static_cast<double>(image_.at(column, row)) - middle);
+                    static_cast<float>(static_cast<double>(smooth_.at(column, row)) - middle);
             }
     }
+    return find_surface(cut);
+}
+
+bool EvenLight::find_surface(Cut& cut)
+{
     share_ = neighbour_share(cut.mask(), box_);
     surface_.clear();
     std::vector<double> lights, beds, contrasts;
-    // Two pixels of the box are beyond the circle at most where a rim may begin.
+    // Boxes that reach over the circle may show its rim.
     Circle const well_inside{inside_.x, inside_.y, inside_.radius - 0.5 * box_};
     for (int row = 0; row < image_.rows; ++row)
         for (int column = 0; column < image_.columns; ++column)
@@ -132,15 +172,8 @@ bool EvenLight::follow(Cut& cut)
     cut.light = quantile_of(lights, 0.5), cut.bed = quantile_of(beds, 0.5);
     cut.level = 0.5 * (cut.light + cut.bed);
     contrast_ = quantile_of(contrasts, 0.5);
-    return true;
-}
-
-double EvenLight::shift(Cut const& cut) const
-{
-    // Half of the contrast is passed over as many pixels as there are near the middle, for each of the
-    // surface.
+    // As many pixels as there are near the middle, for each of the surface.
     std::size_t near_middle = 0;
-    Circle const well_inside{inside_.x, inside_.y, inside_.radius - 0.5 * box_};
     for (int row = 0; row < image_.rows; ++row)
         for (int column = 0; column < image_.columns; ++column) {
             auto const share = static_cast<double>(share_[image_.index(column, row)]);
@@ -149,9 +182,16 @@ double EvenLight::shift(Cut const& cut) const
                 std::abs(static_cast<double>(cut.excess.at(column, row))) < 0.25 * contrast_)
                 ++near_middle;
         }
-    double const width = static_cast<double>(near_middle) / static_cast<double>(surface_.size());
-    double const gradient = 0.5 * contrast_ / std::max(0.5, width);
-    return 0.5 * (light_.remainder + bed_.remainder) / gradient;
+    width_ = std::max(0.5, static_cast<double>(near_middle) / static_cast<double>(surface_.size()));
+    return true;
+}
+
+double EvenLight::shift() const
+{
+    double const gradient = 0.5 * contrast_ / width_;
+    // The cut is off by half of what either side is off; at the surface, beyond what is fitted, by up to
+    // twice that.
+    return (light_.remainder + bed_.remainder) / gradient;
 }
 
 } // namespace demens::observe

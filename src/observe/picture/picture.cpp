@@ -23,6 +23,29 @@ double GreyImage::between(double x, double y) const
     return (1 - v) * ((1 - u) * at(c0, r0) + u * at(c1, r0)) + v * ((1 - u) * at(c0, r1) + u * at(c1, r1));
 }
 
+GreyImage smoothed(GreyImage const& image, int n)
+{
+    if (n == 1)
+        return image;
+    // First along the rows, then along the columns.
+    auto const along = [&](GreyImage const& from, int du, int dv) {
+        GreyImage to(from.columns, from.rows);
+        for (int row = 0; row < from.rows; ++row)
+            for (int column = 0; column < from.columns; ++column) {
+                double sum = 0;
+                int count = 0;
+                for (int k = -(n / 2); k <= n / 2; ++k) {
+                    int const c = column + k * du, r = row + k * dv;
+                    if (c >= 0 && r >= 0 && c < from.columns && r < from.rows)
+                        sum += static_cast<double>(from.at(c, r)), ++count;
+                }
+                to.at(column, row) = static_cast<float>(sum / count);
+            }
+        return to;
+    };
+    return along(along(image, 1, 0), 0, 1);
+}
+
 GreyImage mean_of(std::vector<GreyImage> const& images)
 {
     GreyImage mean(images.front().columns, images.front().rows);

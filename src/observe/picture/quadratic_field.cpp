@@ -13,13 +13,13 @@ std::array<double, 6> terms_at(double u, double v)
 
 } // namespace
 
-void QuadraticField::add(double u, double v, double value)
+void QuadraticField::add(double u, double v, double value, double weight)
 {
     auto const t = terms_at(u, v);
     for (std::size_t i = 0; i < terms; ++i) {
         for (std::size_t k = 0; k <= i; ++k)
-            matrix_[i][k] += t[i] * t[k];
-        right_[i] += t[i] * value;
+            matrix_[i][k] += weight * t[i] * t[k];
+        right_[i] += weight * t[i] * value;
     }
 }
 

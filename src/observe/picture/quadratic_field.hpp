@@ -9,8 +9,8 @@ namespace demens::observe {
 class QuadraticField
 {
   public:
-    //! Adds a value at a place; both coordinates are about 1 or less.
-    void add(double u, double v, double value);
+    //! Adds a value at a place, whose coordinates are about 1 or less, with a weight.
+    void add(double u, double v, double value, double weight = 1);
     //! Fits to what was added: at least one value; where these lie on a line or fewer, a flatter polynomial.
     void fit();
 

@@ -2,6 +2,7 @@
 
 #include "demens/observe/picture/cut.hpp"
 
+#include <array>
 #include <optional>
 
 namespace demens::observe {
@@ -35,6 +36,10 @@ struct BedPicture
     double straightness = 0; //!< R^2 of the line through the surface [-]
     SegmentProfile profile;
     int surface_columns = 0; //!< of pixels in which there is a surface
+    //! Where the surface ends, left and right: from the drum's axis over the radius that is looked at [-].
+    std::array<double, 2> ends{};
+    int missing_columns = 0; //!< between its ends, in which there is none
+    double slope = 0;        //!< passage from bed to light: darkness over a pixel downwards, at the surface
 };
 
 //! Reads a cut picture. The surface of a column of pixels is where grains below and light above explain most
@@ -62,11 +67,13 @@ struct PhotographReading
 };
 
 //! Reads a photograph and checks what can be: that the circle is whole and is the rim that is seen, that bed
-//! and light are apart, that the bed climbs on the side to which the drum turns. \throws InputError
+//! and light are apart, that the surface reaches from rim to rim and climbs as the drum turns. Noise is taken
+//! out by means over as few pixels as it needs. \throws InputError
 struct PhotographedBed
 {
     Cut cut;
     BedPicture bed;
+    int smoothing; //!< n x n pixels that means were taken over; 1: none
 };
 PhotographedBed read_photograph(GreyImage const& image, PictureFrame const& frame,
                                 PhotographReading const& reading);

@@ -23,10 +23,16 @@ Cut cut_at(GreyImage const& image, Circle const& inside, double level);
 
 //! Cut midway between bed and light, both as they are at that place. Otsu's threshold (Otsu 1979) tells them
 //! apart at first; then darkness of either is a polynomial of second order in the place, fitted away from the
-//! surface, so that neither light that is uneven nor blur moves the cut off the middle.
-//! \throws InputError when the sides are not clearly apart, or when what the polynomials leave over may move
-//! the surface by more than half a pixel
-Cut cut_midway(GreyImage const& image, Circle const& inside);
+//! surface, so that neither light that is uneven nor blur moves the cut off the middle. Means over
+//! `smoothing` pixels, odd, along both directions are cut; light that is cut off at white leaves the least
+//! distances right, to which the polynomials are fitted, but not a mean: they are fitted to the picture as it
+//! is. \throws InputError when the sides are not clearly apart, or when what the polynomials leave over may
+//! move the surface by more than half a pixel
+Cut cut_midway(GreyImage const& image, Circle const& inside, int smoothing = 1);
+
+//! How much darkness scatters from pixel to pixel: standard deviation, on the side of a cut where that is
+//! more.
+double noise_of(GreyImage const& image, Cut const& cut, Circle const& inside);
 
 //! The darkness for which the classes on either side differ most from each other, over those inside a circle
 //! (Otsu 1979, in 256 steps between the lightest and the darkest). \throws InputError when all are the same

@@ -32,6 +32,9 @@ struct GreyImage
     std::vector<float> darkness; //!< [rows x columns]
 };
 
+//! Mean over n x n pixels about each, n odd, as far as the picture has them.
+GreyImage smoothed(GreyImage const& image, int n);
+
 //! Mean of pictures of one size, of at least one. \throws InputError when the sizes differ
 GreyImage mean_of(std::vector<GreyImage> const& images);
 
