@@ -78,14 +78,15 @@ double EvenLight::remainder_of(Side const& side, std::vector<Pixel> const& pixel
         double value = 0;
         int count = 0, near = 0; //!< pixels, and those near the surface
     };
-    auto const across = static_cast<std::size_t>(image_.columns / block + 1);
-    std::vector<Sum> blocks(across * static_cast<std::size_t>(image_.rows / block + 1));
+    int const across = image_.columns / block + 1;
+    std::vector<Sum> blocks(static_cast<std::size_t>(across) *
+                            (static_cast<std::size_t>(image_.rows) / block + 1));
     // What is near the surface moves it; what is far from it may be no bed, or no light, at all.
     auto const share = neighbour_share(mask, 3 * box_);
     for (auto const& pixel : pixels) {
         auto const grains = share[image_.index(pixel.column, pixel.row)];
-        auto& sum = blocks[static_cast<std::size_t>(pixel.row / block) * across +
-                           static_cast<std::size_t>(pixel.column / block)];
+        int const at_block = pixel.row / block * across + pixel.column / block;
+        auto& sum = blocks[static_cast<std::size_t>(at_block)];
         sum.value += darkness(pixel) - at(side, pixel.column, pixel.row);
         ++sum.count;
         sum.near += grains > 0.02F && grains < 0.98F ? 1 : 0;
