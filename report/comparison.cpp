@@ -110,6 +110,7 @@ json picture_beside(ensemble::CampaignInput const& input, std::size_t experiment
             {"pixel_mm", 1e3 * target->frame.pixel_size()},
             {"circle", {circle.x, circle.y, circle.radius}},
             {"inside", target->reading.inside_radius},
+            {"segment_mm", 2e3 * target->frame.radius / target->reading.segments},
             {"mismatch_mm2",
              1e6 * area_mismatch(bed.mask, target->bed.mask, target->frame, target->reading.inside_radius)},
             {"measured", runs_of(target->bed.mask)},

@@ -97,7 +97,16 @@ function show_photograph(parent, details, photograph) {
     show_window_deviations(row, `segments-${details.experiment}`, photograph.segments.map((segment) => (
         {...deviations_of(all_targets[segment.target]), name: number(segment.x, 3)})));
     parent.append(element('p', {class: 'note'}, 'Height of the surface over the place along the horizontal diameter [mm]. Bars: best run, red beyond 2 sd. '
-        + 'Diamonds: as predicted at the estimate.'));
+        + 'Diamonds: as predicted at the estimate' + predicted_mismatch(photograph) + '.'));
+}
+
+// The mismatch follows from the predicted surface: it is not fitted, as it has a kink where the surface is met.
+function predicted_mismatch(photograph) {
+    const predicted = campaign.optimum && campaign.optimum.estimate_responses;
+    if (!predicted) return '';
+    const area = photograph.segments.reduce((sum, segment) => sum + photograph.segment_mm
+        * Math.abs(predicted[segment.target] - all_targets[segment.target].value), 0);
+    return `, from which ${number(area, 3)} mm² would differ in these segments`;
 }
 
 function draw_overlay(canvas, photograph) {
