@@ -22,6 +22,7 @@ void add_new(CLI::App& program, Action& action);
 void add_run(CLI::App& program, Action& action);
 void add_status(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
+void add_export(CLI::App& program, Action& action);
 void add_replay(CLI::App& program, Action& action);
 void add_rigs(CLI::App& program, Action& action);
 void add_laws(CLI::App& program, Action& action);

@@ -17,6 +17,7 @@ a campaign:
   mpirun -n N demens FILE.toml          both in one
   demens status FILE.h5                 how far it is
   demens report FILE.h5                 one HTML page with the plots
+  demens export FILE.h5                 runs, curves and the best point as CSV and TOML
   demens replay FILE.h5 --run 17 --frames out/
 
 exit codes:
@@ -57,6 +58,7 @@ int main(int argc, char** argv)
     cli::add_run(program, action);
     cli::add_status(program, action);
     cli::add_report(program, action);
+    cli::add_export(program, action);
     cli::add_replay(program, action);
     cli::add_rigs(program, action);
     cli::add_laws(program, action);

@@ -4,6 +4,7 @@
 #include "report/analysis.hpp"
 #include "report/comparison.hpp"
 #include "report/picture.hpp"
+#include "report/shown_run.hpp"
 
 namespace demens::report {
 
@@ -110,24 +111,6 @@ json waves_of(ensemble::Campaign const& campaign)
                         {"runs", runs}});
     }
     return list;
-}
-
-//! The run to show for an experiment: a finished one at the best location, else the last finished one; null:
-//! none.
-ensemble::RunRecord const* shown_run(ensemble::Campaign const& campaign, int experiment,
-                                     ensemble::NamedArray const* best_point)
-{
-    ensemble::RunRecord const* last = nullptr;
-    for (auto const& wave : campaign.waves) {
-        for (auto const& run : wave.runs) {
-            if (run.experiment != experiment || run.status != rig::RunStatus::finished)
-                continue;
-            if (best_point && run.factors == best_point->data)
-                return &run;
-            last = &run;
-        }
-    }
-    return last;
 }
 
 json details_of_shown_runs(ensemble::Campaign const& campaign, Analysis const& analysis,

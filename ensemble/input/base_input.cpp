@@ -50,13 +50,17 @@ std::vector<std::string> BaseInput::size_distribution_names() const
     return names;
 }
 
-rig::RunInput make_run_input(BaseInput base, std::vector<double> const& factor_values, int experiment,
-                             std::uint64_t seed)
+void set_factors(BaseInput& base, std::vector<double> const& factor_values)
 {
     for (std::size_t f = 0; f < factor_values.size(); ++f)
         for (auto const& place : base.factor_places.at(f))
             base.set(place, factor_values[f]);
+}
 
+rig::RunInput make_run_input(BaseInput base, std::vector<double> const& factor_values, int experiment,
+                             std::uint64_t seed)
+{
+    set_factors(base, factor_values);
     rig::RunInput input;
     for (auto const& material : base.materials)
         input.model.materials.push_back(contact::make_material(material.name, material.values));

@@ -103,6 +103,8 @@ std::vector<std::string> all_paths(BaseInput const& base, std::vector<Experiment
 
 //! Size distribution [m] from its lists. \throws InputError without a place
 shape::SizeDistribution make_size_distribution(SizeTable const& table);
+//! Puts factor values in the place of the base values.
+void set_factors(BaseInput& base, std::vector<double> const& factor_values);
 //! The run's input with factor values in place of the base values.
 rig::RunInput make_run_input(BaseInput base, std::vector<double> const& factor_values, int experiment,
                              std::uint64_t seed);

@@ -82,6 +82,13 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     return campaign;
 }
 
+std::string CampaignInput::resolved_text_at(std::vector<double> const& factor_values) const
+{
+    input::BaseInput base = *tree_;
+    input::set_factors(base, factor_values);
+    return input::resolved_text(*this, base);
+}
+
 std::vector<std::string> CampaignInput::warnings() const
 {
     std::vector<std::string> all = warnings_;

@@ -186,6 +186,8 @@ class CampaignInput
     std::string const& text() const { return text_; }
     //! The same as TOML with every default written out; reading it gives this campaign again.
     std::string const& resolved_text() const { return resolved_text_; }
+    //! The same with factor values in the place of those that were given.
+    std::string resolved_text_at(std::vector<double> const& factor_values) const;
     //! What is doubtful about it, though it can run: for whoever makes a campaign of it.
     std::vector<std::string> warnings() const;
     //! What was made of it that its author may want to know.

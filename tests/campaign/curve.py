@@ -56,6 +56,19 @@ with tempfile.TemporaryDirectory() as folder:
     assert lower < restitution < upper and upper - lower < 0.05
     assert abs(estimate - restitution) < 0.01
     assert abs(shift - late) < 0.002
+    # What is handed on: a row a run, curves, and the best point as a campaign with all that it needs.
+    subprocess.run([demens, "export", "curve.h5", "-o", "handed"], check=True, cwd=folder, stdout=subprocess.DEVNULL)
+    with open(os.path.join(folder, "handed", "runs.bounce.csv")) as table:
+        lines = table.read().splitlines()
+    with h5py.File(os.path.join(folder, "curve.h5")) as file:
+        runs = sum(len(file["waves"][wave]["runs/run"]) for wave in file["waves"])
+        best = file["waves"][waves[-1]]["optimum/best_point"][0]
+    assert len(lines) == runs + 1 and lines[0].startswith("run,wave,purpose,point") and lines[0].endswith("height_m_shift")
+    with open(os.path.join(folder, "handed", "best.toml")) as text:
+        assert f"restitution = {best}" in text.read()
+    subprocess.run([demens, "new", "handed/best.toml"], check=True, cwd=folder, stdout=subprocess.DEVNULL)
+    assert os.path.getsize(os.path.join(folder, "handed", "series.bounce.csv")) > 1000
+
     # A replay makes the same of the curve.
     replay = subprocess.run([demens, "replay", "curve.h5", "--run", str(run)], check=True, env=environment, cwd=folder,
                             capture_output=True, text=True).stdout

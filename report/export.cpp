@@ -1,0 +1,168 @@
+#include "report/export.hpp"
+
+#include "demens/base/file_error.hpp"
+#include "ensemble/session.hpp"
+#include "report/analysis.hpp"
+#include "report/shown_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include <fmt/format.h>
+
+namespace demens::report {
+namespace {
+
+namespace fs = std::filesystem;
+namespace stored = ensemble::stored;
+
+//! In quotes where a reader could take it apart.
+std::string cell(std::string const& text)
+{
+    if (text.find_first_of(",\"\n") == std::string::npos)
+        return text;
+    std::string quoted = "\"";
+    for (char const c : text)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+//! All digits; empty where there is no number.
+std::string cell(double value)
+{
+    return std::isnan(value) ? "" : fmt::format("{}", value);
+}
+
+//! Writes files below a folder and remembers which.
+class Folder
+{
+  public:
+    explicit Folder(fs::path folder) : folder_(std::move(folder))
+    {
+        std::error_code error;
+        fs::create_directories(folder_, error);
+        if (!fs::is_directory(folder_))
+            throw InputError(fmt::format("{} is no folder and cannot be made one ({})", folder_.string(),
+                                         error.message()));
+    }
+    void write(std::string const& name, std::string const& text)
+    {
+        auto const file = folder_ / name;
+        std::error_code ignored; // the file itself says what is wrong
+        fs::create_directories(file.parent_path(), ignored);
+        std::ofstream out(file, std::ios::binary);
+        out << text;
+        out.close();
+        if (!out)
+            throw FileError(fmt::format(
+                "{} cannot be written; give a folder that is writable and has room for it", file.string()));
+        files.push_back(file);
+    }
+
+    std::vector<fs::path> files;
+
+  private:
+    fs::path folder_;
+};
+
+void add_cell(std::string& row, std::string const& text)
+{
+    row += ',';
+    row += text;
+}
+
+//! Whether a name that a campaign gives a file cannot lead out of the folder.
+bool stays_below(fs::path const& name)
+{
+    return name.is_relative() && std::find(name.begin(), name.end(), "..") == name.end();
+}
+
+std::string runs_of(ensemble::Campaign const& campaign, int experiment)
+{
+    auto const& input = campaign.input;
+    std::string csv =
+        "run,wave,purpose,point,replicate,seed,status,reason,wall_time_s,simulated_time_s,particles";
+    for (auto const& factor : input.factors)
+        add_cell(csv, cell(factor.name));
+    for (auto const& response : input.experiments[static_cast<std::size_t>(experiment)].responses)
+        add_cell(csv, cell(response.name));
+    csv += "\n";
+    for (auto const& wave : campaign.waves)
+        for (auto const& run : wave.runs) {
+            if (run.experiment != experiment)
+                continue;
+            csv +=
+                fmt::format("{},{},{},{},{},{},{},{},{},{},{}", run.run, run.wave, word_for(wave.purpose),
+                            run.point, run.replicate, run.seed, cell(std::string(rig::name_of(run.status))),
+                            cell(run.reason), run.wall_time, run.simulated_time, run.particles);
+            for (double const value : run.factors)
+                add_cell(csv, cell(value));
+            for (double const value : run.responses)
+                add_cell(csv, cell(value));
+            csv += "\n";
+        }
+    return csv;
+}
+
+std::string factors_of(ensemble::Campaign const& campaign, Analysis const& analysis)
+{
+    std::string csv = "name,path,lower,upper,best_run,estimate,interval_lower,interval_upper\n";
+    auto const of = [&](stored::ArrayName const& name, std::size_t index) {
+        auto const* array = analysis.find(name);
+        return array && index < array->data.size() ? cell(array->data[index]) : "";
+    };
+    auto const& factors = campaign.input.factors;
+    for (std::size_t f = 0; f < factors.size(); ++f)
+        csv += fmt::format("{},{},{},{},{},{},{},{}\n", cell(factors[f].name), cell(factors[f].path),
+                           factors[f].lower, factors[f].upper, of(stored::optimum::best_point, f),
+                           of(stored::optimum::estimate, f), of(stored::optimum::factor_interval, 2 * f),
+                           of(stored::optimum::factor_interval, 2 * f + 1));
+    return csv;
+}
+
+std::string columns_of(rig::Series const& series)
+{
+    std::string csv;
+    for (std::size_t k = 0; k < series.names.size(); ++k)
+        csv += fmt::format("{}{}", k > 0 ? "," : "",
+                           cell(fmt::format("{} [{}]", series.names[k], series.units[k])));
+    csv += "\n";
+    for (std::size_t row = 0; row < series.rows(); ++row)
+        for (std::size_t k = 0; k < series.columns.size(); ++k)
+            csv +=
+                fmt::format("{}{}", cell(series.columns[k][row]), k + 1 < series.columns.size() ? ',' : '\n');
+    return csv;
+}
+
+} // namespace
+
+std::vector<fs::path> export_campaign(fs::path const& file, fs::path const& folder)
+{
+    auto const campaign = ensemble::read_campaign_file(file);
+    Analysis const analysis(campaign);
+    Folder out(folder);
+    auto const* best = analysis.find(stored::optimum::best_point);
+    auto const& experiments = campaign.input.experiments;
+    for (std::size_t e = 0; e < experiments.size(); ++e) {
+        auto const& name = experiments[e].name;
+        out.write(fmt::format("runs.{}.csv", name), runs_of(campaign, static_cast<int>(e)));
+        auto const* run = shown_run(campaign, static_cast<int>(e), best);
+        if (!run)
+            continue;
+        auto const details = ensemble::read_run_details(file, run->run);
+        if (details.series.rows() > 0)
+            out.write(fmt::format("series.{}.csv", name), columns_of(details.series));
+        for (auto const& profile : details.profiles)
+            out.write(fmt::format("profile.{}.{}.csv", name, profile.name), columns_of(profile.curve));
+    }
+    out.write("factors.csv", factors_of(campaign, analysis));
+    if (best) {
+        out.write("best.toml", campaign.input.resolved_text_at(best->data));
+        for (auto const& [name, content] : campaign.input.files())
+            if (stays_below(name))
+                out.write(name, *content);
+    }
+    return out.files;
+}
+
+} // namespace demens::report
