@@ -12,6 +12,7 @@ using namespace demens;
 
 constexpr char const* footer = R"(
 a campaign:
+  demens try FILE.toml --plan           what it would simulate; without --plan: once, at the base values
   demens new FILE.toml                  check it and write FILE.h5
   mpirun -n N demens FILE.h5            run it, or go on with it; safe to kill and repeat
   mpirun -n N demens FILE.toml          both in one
@@ -55,6 +56,7 @@ int main(int argc, char** argv)
     std::string file;
     program.add_option("FILE", file, "campaign file or TOML file to run");
     cli::add_new(program, action);
+    cli::add_try(program, action);
     cli::add_run(program, action);
     cli::add_status(program, action);
     cli::add_report(program, action);

@@ -6,6 +6,7 @@
 #include "ensemble/input/nearest.hpp"
 #include "ensemble/input/objective_input.hpp"
 #include "ensemble/input/old_words.hpp"
+#include "ensemble/input/option_range.hpp"
 #include "ensemble/input/resolved_text.hpp"
 #include "ensemble/input/section.hpp"
 #include "ensemble/input/toml_file.hpp"
@@ -80,6 +81,23 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     campaign.resolved_text_ = input::resolved_text(campaign, *tree);
     campaign.tree_ = std::move(tree);
     return campaign;
+}
+
+void CampaignInput::set(std::string const& path, double value)
+{
+    auto tree = std::make_shared<Tree>(*tree_);
+    auto const resolved = input::resolve_path(path, *tree, experiments);
+    if (resolved.places.empty())
+        throw InputError(fmt::format("{} names nothing in this input; {}", path,
+                                     input::suggestion(path, input::all_paths(*tree, experiments))));
+    if (!std::holds_alternative<double>(resolved.spec.default_value))
+        throw InputError(
+            fmt::format("{} is not a number that can be varied continuously ({})", path, resolved.spec.doc));
+    if (auto const complaint = input::range_complaint(resolved.spec, value); !complaint.empty())
+        throw InputError(fmt::format("{} = {}: {} ({})", path, value, complaint, resolved.spec.doc));
+    for (auto const& place : resolved.places)
+        tree->set(place, value);
+    tree_ = std::move(tree);
 }
 
 std::string CampaignInput::resolved_text_at(std::vector<double> const& factor_values) const

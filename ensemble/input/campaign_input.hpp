@@ -182,6 +182,11 @@ class CampaignInput
     StopOptions stop;
     RunOptions run;
 
+    //! Puts a number in the place of the one that the input has there; its text stays as it was written.
+    //! \param path as a factor's \throws InputError where it names no number, or one that may not have this
+    //! value
+    void set(std::string const& path, double value);
+
     //! The author's text, byte for byte.
     std::string const& text() const { return text_; }
     //! The same as TOML with every default written out; reading it gives this campaign again.

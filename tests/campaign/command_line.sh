@@ -10,6 +10,16 @@ cp "$campaign" "$folder/impact.toml"
 cd "$folder"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
+# One simulation without a campaign: at the friction that was looked for, the rebound is the one that was measured.
+"$demens" try impact.toml --plan >plan.txt
+grep -q 'particles  *about 1$' plan.txt
+! grep -q tangential_restitution plan.txt
+"$demens" try impact.toml --set contact.steel_steel.static_friction=0.2 |
+  awk '$1 == "tangential_restitution" { found = $2 } END { exit !(found > 0.8923 && found < 0.8933) }'
+! "$demens" try impact.toml --set contact.steel_steel.static_fricton=0.2 2>try.txt
+grep -q 'did you mean "contact.steel_steel.static_friction"' try.txt
+test ! -e impact.h5
+
 "$demens" new impact.toml >new.txt
 grep -q '5 points, 5 runs' new.txt
 # The design is in the file before anything is simulated.
