@@ -42,9 +42,7 @@ int run_or_suggest(CLI::App const& program, std::string const& file)
                                  ensemble::input::suggestion(file, names)));
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int do_what_is_asked(int argc, char** argv)
 {
     CLI::App program{"Calibrates discrete element models of granular materials from bulk experiments.",
                      "demens"};
@@ -74,18 +72,25 @@ int main(int argc, char** argv)
         return program.exit(error) == 0 ? cli::success : cli::bad_input;
     }
 
+    if (action)
+        return action();
+    if (!file.empty())
+        return run_or_suggest(program, file);
+    fmt::print("{}", program.help());
+    return cli::bad_input;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
     try {
-        if (action)
-            return action();
-        if (!file.empty())
-            return run_or_suggest(program, file);
-        fmt::print("{}", program.help());
-        return cli::bad_input;
+        return do_what_is_asked(argc, argv);
     } catch (InputError const& error) {
-        fmt::print(stderr, "demens: error: {}\n", error.what());
+        std::fprintf(stderr, "demens: error: %s\n", error.what());
         return cli::bad_input;
     } catch (std::exception const& error) {
-        fmt::print(stderr, "demens: error: {}\n", error.what());
+        std::fprintf(stderr, "demens: error: %s\n", error.what());
         return cli::failure;
     }
 }

@@ -39,7 +39,7 @@ class MpiScope
     {
         using namespace std::chrono_literals;
         auto const deadline = std::chrono::steady_clock::now() + 30s;
-        MPI_Request request;
+        MPI_Request request = MPI_REQUEST_NULL;
         MPI_Ibarrier(failures_, &request);
         int arrived = 0;
         while (!arrived && std::chrono::steady_clock::now() < deadline) {

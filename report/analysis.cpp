@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
 
 namespace demens::report {
 
@@ -30,12 +29,9 @@ json nested(ensemble::NamedArray const& array, std::size_t dimension, std::size_
 
 Analysis::Analysis(ensemble::Campaign const& campaign)
 {
-    for (auto const& wave : campaign.waves | std::views::reverse) {
-        if (is_analysed(wave)) {
-            wave_ = &wave;
-            return;
-        }
-    }
+    auto const last = std::find_if(campaign.waves.rbegin(), campaign.waves.rend(), is_analysed);
+    if (last != campaign.waves.rend())
+        wave_ = &*last;
 }
 
 ensemble::NamedArray const* Analysis::find(stored::ArrayName const& name) const

@@ -41,6 +41,9 @@ struct OfNumbers
     }
 };
 
+template <class Each>
+OfNumbers(Each) -> OfNumbers<Each>;
+
 using ShapeRow = Row<12>;
 using MotionRow = Row<9>;
 

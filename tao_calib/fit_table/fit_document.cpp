@@ -168,7 +168,7 @@ void add_rows(std::string& csv, Json const& response, std::string const& part, J
             int count = 0;
             for (auto const& entry : value)
                 if (++count; entry.is_object())
-                    add_rows(csv, response, part.empty() ? key : part + " " + key,
+                    add_rows(csv, response, part.empty() ? key : fmt::format("{} {}", part, key),
                              entry.begin()->is_array() || key == "optima" || key == "parts" ? Json(count)
                                                                                             : *entry.begin(),
                              entry);

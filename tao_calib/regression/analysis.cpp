@@ -175,7 +175,7 @@ std::optional<StationaryPoint> stationary_point(Regression const& regression)
             }
     }
     Eigen::SelfAdjointEigenSolver<MatrixXd> const solver(half_hessian);
-    VectorXd const curvatures = solver.eigenvalues();
+    VectorXd const& curvatures = solver.eigenvalues();
     if (curvatures.cwiseAbs().minCoeff() <= 1e-12 * curvatures.cwiseAbs().maxCoeff())
         return std::nullopt;
     VectorXd const slope = regression.gradient(VectorXd::Zero(factors));

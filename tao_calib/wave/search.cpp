@@ -60,11 +60,12 @@ Candidate const& most_deserving(std::vector<Candidate> const& candidates, double
     auto by_distance = [](auto const& a, auto const& b) { return a.distance < b.distance; };
     auto const [least, most] = std::minmax_element(candidates.begin(), candidates.end(), by_misfit);
     auto const [nearest, farthest] = std::minmax_element(candidates.begin(), candidates.end(), by_distance);
-    double const misfits = std::max(most->misfit - least->misfit, 1e-300);
-    double const distances = std::max(farthest->distance - nearest->distance, 1e-300);
+    double const best_misfit = least->misfit, best_distance = farthest->distance;
+    double const misfits = std::max(most->misfit - best_misfit, 1e-300);
+    double const distances = std::max(best_distance - nearest->distance, 1e-300);
     auto merit = [&](Candidate const& c) {
-        return weight * (c.misfit - least->misfit) / misfits +
-               (1 - weight) * (farthest->distance - c.distance) / distances + (1 - c.chance);
+        return weight * (c.misfit - best_misfit) / misfits +
+               (1 - weight) * (best_distance - c.distance) / distances + (1 - c.chance);
     };
     return *std::min_element(candidates.begin(), candidates.end(),
                              [&](auto const& a, auto const& b) { return merit(a) < merit(b); });

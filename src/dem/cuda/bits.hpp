@@ -48,14 +48,14 @@ DEMENS_INLINE DEMENS_FUNCTION void lower_atomically(Number* where, Number value)
 //! A finite number as an integer in the same order.
 DEMENS_INLINE DEMENS_FUNCTION std::uint64_t ordered(double value)
 {
-    std::uint64_t bits;
+    std::uint64_t bits = 0;
     std::memcpy(&bits, &value, sizeof bits);
     return bits >> 63 ? ~bits : bits | (std::uint64_t{1} << 63);
 }
 DEMENS_INLINE DEMENS_FUNCTION double number_of(std::uint64_t order)
 {
     std::uint64_t const bits = order >> 63 ? order & ~(std::uint64_t{1} << 63) : ~order;
-    double value;
+    double value = 0;
     std::memcpy(&value, &bits, sizeof value);
     return value;
 }

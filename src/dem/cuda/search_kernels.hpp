@@ -134,8 +134,7 @@ struct FindNeighbours
         std::uint64_t const i = first + where.local;
         std::uint32_t const before = r.sorted, now = 1 - r.sorted;
         std::uint64_t const old = first + v.old_index[i];
-        FlatWall const* const walls = v.walls + std::uint64_t{where.slot} * v.room.wall_table +
-                                      std::uint64_t{r.wall_rows * r.step} * r.walls;
+        FlatWall const* const walls = v.walls_of(where.slot);
         double const near = here.radius + r.reach;
         std::uint32_t count = 0, touching = 0;
         for (std::uint32_t w = 0; w < r.walls; ++w) {

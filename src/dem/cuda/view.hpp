@@ -96,7 +96,13 @@ struct View
     DEMENS_FUNCTION double wall_path(std::uint32_t slot) const
     {
         Replica const& r = replica[slot];
-        return wall_paths[std::uint64_t{slot} * (rows_of_block + 1) + r.wall_rows * r.step];
+        return wall_paths[std::uint64_t{slot} * (rows_of_block + 1) + std::uint64_t{r.wall_rows} * r.step];
+    }
+    //! The walls of a slot where they are now.
+    DEMENS_FUNCTION FlatWall const* walls_of(std::uint32_t slot) const
+    {
+        Replica const& r = replica[slot];
+        return walls + std::uint64_t{slot} * room.wall_table + std::uint64_t{r.wall_rows} * r.step * r.walls;
     }
     DEMENS_FUNCTION std::uint32_t words() const { return room.neighbours / bits_of_word; }
 };

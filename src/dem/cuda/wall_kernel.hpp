@@ -69,8 +69,7 @@ DEMENS_FUNCTION void add_walls(View const& v, Replica& r, std::uint32_t slot, st
     std::uint32_t const sorted = r.sorted, count = v.near_walls[sorted * v.all + i];
     std::uint32_t& bits = v.touching_walls[sorted * v.all + i];
     std::uint32_t old = bits, now = 0;
-    FlatWall const* const walls =
-        v.walls + std::uint64_t{slot} * v.room.wall_table + std::uint64_t{r.wall_rows * r.step} * r.walls;
+    FlatWall const* const walls = v.walls_of(slot);
     std::uint32_t const material = v.material[sorted * v.all + i];
     std::uint64_t const tables = std::uint64_t{slot} * v.room.laws;
     auto const wall_at = [&](std::uint32_t k) -> FlatWall const& {
