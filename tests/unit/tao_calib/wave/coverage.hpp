@@ -9,7 +9,8 @@ namespace demens::tao_calib {
 struct Coverage
 {
     int held = 0, stated = 0;
-    double half_widths = 0; //!< summed, shares of the ranges
+    int whole_held = 0, whole = 0; //!< of those that no bound cuts off
+    double half_widths = 0;        //!< summed, shares of the ranges
 
     double share() const { return static_cast<double>(held) / stated; }
     double half_width() const { return half_widths / stated; }
@@ -79,8 +80,12 @@ inline Coverage coverage(std::string const& surrogate, int replicates, int campa
         stand_in.run_to_the_end();
         auto const& interval = stand_in.stored("optimum/factor_interval");
         for (std::size_t j = 0; j < 2; ++j) {
+            bool const holds = interval[2 * j] <= truth[j] && truth[j] <= interval[2 * j + 1];
+            bool const whole = interval[2 * j] > 0 && interval[2 * j + 1] < 1;
             ++result.stated;
-            result.held += interval[2 * j] <= truth[j] && truth[j] <= interval[2 * j + 1];
+            result.held += holds;
+            result.whole += whole;
+            result.whole_held += whole && holds;
             result.half_widths += 0.5 * (interval[2 * j + 1] - interval[2 * j]);
         }
     }
