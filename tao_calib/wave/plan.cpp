@@ -156,10 +156,17 @@ std::optional<std::string> goal_reached(Campaign const& campaign, Assessment con
         return "every target with a tolerance is met within it";
     // POUNDERS on the simulation has an end of its own.
     if (stop.no_improvement_waves > 0 &&
-        campaign.input.search.kind != ensemble::SearchKind::pounders_direct && met_within_noise(assessment) &&
-        intervals_settled(campaign, analysis))
-        return "every target is met within a tenth of its standard deviation, and the intervals no longer "
-               "change";
+        campaign.input.search.kind != ensemble::SearchKind::pounders_direct &&
+        intervals_settled(campaign, analysis)) {
+        if (met_within_noise(assessment))
+            return "every target is met within a tenth of its standard deviation, and the intervals no "
+                   "longer "
+                   "change";
+        if (best_is_as_good_as_can_be(campaign, assessment, analysis))
+            return "the best run is as near to the targets as any can be, within what their standard "
+                   "deviations "
+                   "tell, and the intervals no longer change";
+    }
     return std::nullopt;
 }
 

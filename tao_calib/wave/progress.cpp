@@ -11,7 +11,7 @@ using ensemble::NamedArray;
 namespace stored = ensemble::stored;
 
 constexpr double noticed_per_target = 0.1, noticed_share = 0.02; // of chi2
-constexpr double met_within = 0.1;                               // standard deviations
+constexpr double met_within = 0.1;                               // standard deviations of the measurement
 constexpr double moved = 0.1;                                    // of an interval's width
 
 VectorXd target_values(Objective const& objective)
@@ -32,12 +32,18 @@ VectorXd noise_of_a_run(Assessment const& assessment)
     return (assessment.objective().measurement_sd().cwiseAbs2() + scatter.cwiseAbs2()).cwiseSqrt();
 }
 
-NamedArray const* interval_in(std::vector<NamedArray> const& arrays)
+NamedArray const* find_in(std::vector<NamedArray> const& arrays, stored::ArrayName const& name)
 {
-    auto const found = std::find_if(arrays.begin(), arrays.end(), [](auto const& array) {
-        return array.path == std::string(stored::optimum::factor_interval.path);
-    });
+    auto const found = std::find_if(arrays.begin(), arrays.end(),
+                                    [&](auto const& array) { return array.path == std::string(name.path); });
     return found == arrays.end() ? nullptr : &*found;
+}
+
+std::vector<NamedArray> const& last_analysis(ensemble::Campaign const& campaign,
+                                             std::vector<NamedArray> const& latest)
+{
+    auto const& stored = campaign.waves.back().analysis;
+    return stored.empty() ? latest : stored;
 }
 
 } // namespace
@@ -74,13 +80,40 @@ bool met_within_noise(Assessment const& assessment)
                            .lpNorm<Eigen::Infinity>() <= met_within;
 }
 
+bool best_is_as_good_as_can_be(ensemble::Campaign const& campaign, Assessment const& assessment,
+                               std::vector<NamedArray> const& latest)
+{
+    auto const& analysis = last_analysis(campaign, latest);
+    auto const* estimated = find_in(analysis, stored::optimum::estimate_responses);
+    auto const* estimated_sd = find_in(analysis, stored::optimum::estimate_sd);
+    auto const* best = assessment.locations().best();
+    Eigen::Index const m = assessment.objective().size();
+    if (!best || !estimated || !estimated_sd)
+        return false;
+    auto const responses = VectorXd::Map(estimated->data.data(), m),
+               sd = VectorXd::Map(estimated_sd->data.data(), m);
+    VectorXd const measured = assessment.objective().measurement_sd(),
+                   targets = target_values(assessment.objective());
+    auto chi_square = [&](VectorXd const& deviations) {
+        return deviations.cwiseQuotient(measured).squaredNorm();
+    };
+    double const noticed = noticed_per_target * static_cast<double>(m);
+    bool const gains_nothing =
+        chi_square(best->responses - targets) <= chi_square(responses - targets) + noticed;
+    bool const is_the_optimum =
+        chi_square(best->responses - assessment.predict(assessment.minima().front().point)) <= noticed;
+    bool const predictions_are_sure =
+        (sd.array() <= met_within * measured.array()).all(); // not where sd is NaN
+    return (gains_nothing || is_the_optimum) && predictions_are_sure;
+}
+
 bool intervals_settled(ensemble::Campaign const& campaign, std::vector<NamedArray> const& latest)
 {
     auto const& waves = campaign.waves;
     if (waves.size() < 2)
         return false;
-    auto const* last = interval_in(waves.back().analysis.empty() ? latest : waves.back().analysis);
-    auto const* before = interval_in(waves[waves.size() - 2].analysis);
+    auto const* last = find_in(last_analysis(campaign, latest), stored::optimum::factor_interval);
+    auto const* before = find_in(waves[waves.size() - 2].analysis, stored::optimum::factor_interval);
     if (!last || !before || last->data.size() != before->data.size())
         return false;
     for (std::size_t i = 0; i + 1 < last->data.size(); i += 2) {

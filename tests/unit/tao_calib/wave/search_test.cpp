@@ -264,6 +264,7 @@ TEST(Feasibility, KeepsTheSearchOutOfWhereRunsFail)
     input.experiments = {experiment};
     input.design.points = 12;
     input.stop.runs = 50;
+    input.stop.no_improvement_waves = 0; // it is known after some eight runs
     stand_in.run_to_the_end();
     int searched = 0, failed = 0;
     for (auto const& wave : stand_in.campaign.waves)
