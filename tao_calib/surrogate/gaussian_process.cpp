@@ -166,7 +166,9 @@ GaussianProcess::GaussianProcess(Samples const& samples, Correlation correlation
     variance_ = squares / degrees;
     leave_one_out_ = kriging_.leave_one_out_errors();
     run_shares_ = samples.weights.cwiseInverse();
-    error_ = single_run_error(*this, samples);
+    MatrixXd const& projector = kriging_.projector();
+    error_ = run_error(leave_one_out_, projector.diagonal().cwiseInverse().asDiagonal() * projector,
+                       samples.weights);
 }
 
 VectorXd GaussianProcess::correlations(VectorXd const& point) const
@@ -202,7 +204,7 @@ double GaussianProcess::standard_deviation(VectorXd const& point) const
 double GaussianProcess::supported_deviation(VectorXd const& point) const
 {
     VectorXd const shares = kriging_.shares(correlations(point), VectorXd::Ones(1));
-    return std::max(standard_deviation(point), error_ * std::sqrt(shares.cwiseAbs2().dot(run_shares_)));
+    return std::max(standard_deviation(point), error_.sd * std::sqrt(shares.cwiseAbs2().dot(run_shares_)));
 }
 
 double GaussianProcess::run_sd() const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tao_calib/surrogate/kriging.hpp"
+#include "tao_calib/surrogate/run_error.hpp"
 #include "tao_calib/surrogate/surrogate.hpp"
 
 #include <vector>
@@ -34,6 +35,7 @@ class GaussianProcess : public Surrogate
     double standard_deviation(Eigen::VectorXd const& point) const override;
     double supported_deviation(Eigen::VectorXd const& point) const override;
     Eigen::VectorXd const& leave_one_out_errors() const override { return leave_one_out_; }
+    double degrees_of_freedom() const override { return error_.degrees_of_freedom; }
 
     Correlation const& correlation() const { return correlation_; }
     //! Standard deviation of single runs at one place.
@@ -48,7 +50,7 @@ class GaussianProcess : public Surrogate
     double variance_ = 0; //!< of the process
     Eigen::VectorXd leave_one_out_;
     Eigen::VectorXd run_shares_; //!< [n] 1/runs behind each value
-    double error_ = 0;           //!< of a single run, by leave-one-out
+    RunError error_;
 };
 
 //! Minus twice the logarithm of the restricted likelihood, the variance profiled out, with the weak prior on

@@ -67,12 +67,15 @@ bool Polynomial::can_fit(SurrogateKind kind, Samples const& samples)
 std::unique_ptr<Polynomial> Polynomial::best_up_to(SurrogateKind richest, Samples const& samples)
 {
     auto best = std::make_unique<Polynomial>(SurrogateKind::constant, samples);
+    double least = leave_one_out_rmse(*best, samples);
     for (auto kind : {SurrogateKind::linear, SurrogateKind::linear_and_squares, SurrogateKind::quadratic}) {
         if (kind > richest || !can_fit(kind, samples))
             continue;
         auto candidate = std::make_unique<Polynomial>(kind, samples);
-        if (candidate->error_ < best->error_)
+        if (double const error = leave_one_out_rmse(*candidate, samples); error < least) {
             best = std::move(candidate);
+            least = error;
+        }
     }
     return best;
 }
@@ -94,12 +97,10 @@ Polynomial::Polynomial(SurrogateKind kind, Samples const& samples) : kind_(kind)
         qr.colsPermutation() *
         MatrixXd(triangle.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(rows.cols(), rows.cols())));
     covariance_ = inverse * inverse.transpose();
-    leave_one_out_.resize(rows.rows());
-    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-        double const leverage = (rows.row(i) * inverse).squaredNorm();
-        leave_one_out_[i] = residuals[i] / root_weights[i] / std::max(1 - leverage, 1e-12);
-    }
-    error_ = single_run_error(*this, samples);
+    VectorXd const leverages = (rows * inverse).rowwise().squaredNorm();
+    leave_one_out_ = residuals.array() / root_weights.array() / (1 - leverages.array()).max(1e-12);
+    error_ =
+        run_error_of_regression(leave_one_out_, leverages, samples.weights, static_cast<int>(rows.cols()));
 }
 
 double Polynomial::value(VectorXd const& point) const
@@ -130,7 +131,7 @@ VectorXd Polynomial::gradient(VectorXd const& point) const
 double Polynomial::standard_deviation(VectorXd const& point) const
 {
     VectorXd const row = basis(kind_, point);
-    return error_ * std::sqrt(row.dot(covariance_ * row));
+    return error_.sd * std::sqrt(row.dot(covariance_ * row));
 }
 
 } // namespace demens::tao_calib

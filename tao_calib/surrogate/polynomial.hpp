@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tao_calib/surrogate/run_error.hpp"
 #include "tao_calib/surrogate/surrogate.hpp"
 
 namespace demens::tao_calib {
@@ -23,6 +24,7 @@ class Polynomial : public Surrogate
     Eigen::VectorXd gradient(Eigen::VectorXd const& point) const override;
     double standard_deviation(Eigen::VectorXd const& point) const override;
     Eigen::VectorXd const& leave_one_out_errors() const override { return leave_one_out_; }
+    double degrees_of_freedom() const override { return error_.degrees_of_freedom; }
 
     //! Weighted sum of squared residuals of the fit.
     double residual_sum_of_squares() const { return residual_sum_of_squares_; }
@@ -33,7 +35,7 @@ class Polynomial : public Surrogate
     Eigen::MatrixXd covariance_; //!< of the coefficients, for single runs of variance one
     Eigen::VectorXd leave_one_out_;
     double residual_sum_of_squares_ = 0;
-    double error_ = 0; //!< of a single run, by leave-one-out
+    RunError error_;
 };
 
 } // namespace demens::tao_calib

@@ -114,9 +114,12 @@ void RadialBasis::solve(System const& system, Samples const& samples, double smo
     influence_.bottomRows(q) = system.tail_qr.solve(rest) * system.scale.asDiagonal();
     coefficients_ = influence_.topRows(n) * samples.values;
     tail_ = influence_.bottomRows(q) * samples.values;
-    influence_ *= system.scale.cwiseInverse().asDiagonal();
     leave_one_out_ = system.leave_one_out(samples.values, smoothing);
-    error_ = single_run_error(*this, samples);
+    // The errors are c_i/(dc_i/dy_i), and the coefficients c are linear in the values.
+    MatrixXd const coefficients = influence_.topRows(n);
+    error_ = run_error(leave_one_out_, coefficients.diagonal().cwiseInverse().asDiagonal() * coefficients,
+                       samples.weights);
+    influence_ *= system.scale.cwiseInverse().asDiagonal();
 }
 
 double RadialBasis::value(VectorXd const& point) const
@@ -148,7 +151,7 @@ double RadialBasis::standard_deviation(VectorXd const& point) const
         row[i] = cubic((points_.row(i).transpose() - point).norm());
     row[n] = 1;
     row.tail(point.size()) = point;
-    return error_ * (influence_.transpose() * row).norm();
+    return error_.sd * (influence_.transpose() * row).norm();
 }
 
 } // namespace demens::tao_calib

@@ -39,12 +39,6 @@ double leave_one_out_rmse(Surrogate const& surrogate, Samples const& samples)
                      samples.weights.sum());
 }
 
-double single_run_error(Surrogate const& surrogate, Samples const& samples)
-{
-    return std::sqrt(samples.weights.dot(surrogate.leave_one_out_errors().cwiseAbs2()) /
-                     static_cast<double>(samples.values.size()));
-}
-
 namespace {
 
 std::unique_ptr<Surrogate> fit_polynomial(Samples const& samples)

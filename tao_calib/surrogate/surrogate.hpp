@@ -51,16 +51,14 @@ class Surrogate
     }
     //! Measured minus predicted from the other locations [n].
     virtual Eigen::VectorXd const& leave_one_out_errors() const = 0;
+    //! Degrees of freedom behind the error that standard deviations are stated with.
+    virtual double degrees_of_freedom() const = 0;
     //! Smoothing that was chosen, 0 when the surrogate interpolates; NaN where the kind has none.
     virtual double smoothing() const;
 };
 
 //! Root mean square of the leave-one-out errors, each location counting by its weight.
 double leave_one_out_rmse(Surrogate const& surrogate, Samples const& samples);
-
-//! The error of a single run that the leave-one-out errors tell of, sqrt(1/n sum_i w_i e_i^2): a mean over
-//! w_i runs has the w_i-th part of its variance.
-double single_run_error(Surrogate const& surrogate, Samples const& samples);
 
 //! Fits what was chosen, or a simpler surrogate where the samples do not suffice; `automatic` takes the one
 //! with the smallest leave-one-out error.

@@ -62,6 +62,7 @@ class TransformedSurrogate : public Surrogate
     double standard_deviation(Eigen::VectorXd const& point) const override;
     double supported_deviation(Eigen::VectorXd const& point) const override;
     Eigen::VectorXd const& leave_one_out_errors() const override { return leave_one_out_; }
+    double degrees_of_freedom() const override { return inner_->degrees_of_freedom(); }
     double smoothing() const override { return inner_->smoothing(); }
 
   private:

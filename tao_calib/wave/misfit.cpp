@@ -35,12 +35,17 @@ MatrixXd ChiSquare::slopes(VectorXd const& unit) const
     return slopes;
 }
 
+//! The error of a prediction is itself known from few runs: it counts as much larger as the 95 % point of
+//! Student's t with its degrees of freedom is than that of the normal distribution.
 VectorXd target_noise(Assessment const& assessment, VectorXd const& unit)
 {
+    constexpr double normal_95 = 1.959964;
     VectorXd prediction = assessment.prediction_sd(unit);
-    for (int t = 0; t < prediction.size(); ++t)
+    for (int t = 0; t < prediction.size(); ++t) {
         if (!assessment.informs(t))
             prediction[t] = leave_one_out_rmse(assessment.surrogate(t), assessment.samples(t));
+        prediction[t] *= student_t_quantile(0.95, assessment.surrogate(t).degrees_of_freedom()) / normal_95;
+    }
     return (assessment.objective().measurement_sd().cwiseAbs2() + prediction.cwiseAbs2()).cwiseSqrt();
 }
 

@@ -137,22 +137,31 @@ TEST(GaussianProcess, GivesTheSameBitsAgain)
 TEST(GaussianProcess, IsNeverSurerThanItsLeaveOneOutErrorsSupport)
 {
     // Scatter of which the process is told nothing: its posterior is sure at the data, yet predicts left-out
-    // ones badly. Where it goes through a datum, that counts alone, so that the leave-one-out error remains.
-    auto samples = sampled(20, 1, [](VectorXd const& x) { return x[0]; });
+    // ones badly. Where it goes through a datum, that counts alone, so that the error of a single run
+    // remains, of which the leave-one-out errors tell: they are larger, as those of two predictions.
     RandomStream random(2);
-    for (double& value : samples.values)
-        value += 0.1 * normal(random);
-    GaussianProcess const fit(samples, {VectorXd::Constant(1, 0.3), 0});
-    VectorXd const datum = samples.points.row(7).transpose();
-    EXPECT_LT(fit.standard_deviation(datum), 1e-3);
-    EXPECT_NEAR(fit.supported_deviation(datum), leave_one_out_rmse(fit, samples), 1e-3);
+    constexpr int times = 400;
+    double stated = 0, left_out = 0;
+    auto samples = sampled(20, 1, [](VectorXd const& x) { return x[0]; });
+    for (int i = 0; i < times; ++i) {
+        samples = sampled(20, 1, [](VectorXd const& x) { return x[0]; });
+        for (double& value : samples.values)
+            value += 0.1 * normal(random);
+        GaussianProcess const fit(samples, {VectorXd::Constant(1, 0.3), 0});
+        VectorXd const datum = samples.points.row(7).transpose();
+        EXPECT_LT(fit.standard_deviation(datum), 1e-3);
+        stated += std::pow(fit.supported_deviation(datum), 2) / times;
+        left_out += std::pow(leave_one_out_rmse(fit, samples), 2) / times;
+    }
+    EXPECT_NEAR(std::sqrt(stated), 0.1, 0.01);
+    EXPECT_GT(std::sqrt(left_out), 0.12);
     // A process without correlation is the mean: no smaller than the standard error of that.
     auto uncorrelated = samples;
     uncorrelated.points *= 1e4;
     GaussianProcess const mean(uncorrelated, {VectorXd::Constant(1, 0.3), 1});
     EXPECT_NEAR(mean.supported_deviation(VectorXd::Constant(1, -1e4)),
                 std::max(mean.standard_deviation(VectorXd::Constant(1, -1e4)),
-                         leave_one_out_rmse(mean, samples) / std::sqrt(20.0)),
+                         leave_one_out_rmse(mean, samples) * std::sqrt(19.0 / 20 / 20)),
                 1e-9);
 }
 

@@ -74,12 +74,12 @@ TEST(Polynomial, TakesFewerTermsWhereRunsAreFew)
 
 TEST(Polynomial, StatesTheStandardErrorOfAMean)
 {
-    // A constant fitted to n values: the mean, with leave-one-out errors (y - mean) n/(n-1).
+    // A constant fitted to n values: the mean, with its standard error sqrt(sum (y - mean)^2/(n - 1)/n).
     Samples const samples{MatrixXd::Zero(4, 1), VectorXd{{1, 2, 3, 6}}, VectorXd::Ones(4)};
     Polynomial const fit(SurrogateKind::constant, samples);
     EXPECT_DOUBLE_EQ(fit.value(VectorXd::Zero(1)), 3);
-    double const rmse = 4.0 / 3 * std::sqrt((4 + 1 + 0 + 9) / 4.0);
-    EXPECT_NEAR(fit.standard_deviation(VectorXd::Zero(1)), rmse / 2, 1e-12);
+    EXPECT_NEAR(fit.standard_deviation(VectorXd::Zero(1)), std::sqrt((4 + 1 + 0 + 9) / 3.0 / 4), 1e-12);
+    EXPECT_EQ(fit.degrees_of_freedom(), 3);
 }
 
 TEST(Polynomial, StatesTheSameForMeansOfManyRuns)
@@ -101,12 +101,12 @@ TEST(Polynomial, StatesTheSameForMeansOfManyRuns)
 
 TEST(Polynomial, AMeanOfManyRunsCountsAsThatMany)
 {
-    // A constant through means over 1 and 3 runs, 1 and 5: the mean 4 of all four runs. Leave-one-out errors
-    // -4 and 4 are those of a run of variance (1 x 16 + 3 x 16)/2 = 32, the mean of four has a quarter of it.
+    // A constant through means over 1 and 3 runs, 1 and 5: the mean 4 of all four runs. Their deviations tell
+    // of runs of variance (1 x 9 + 3 x 1)/1 = 12, the mean of four has a quarter of it.
     Samples const samples{MatrixXd::Zero(2, 1), VectorXd{{1, 5}}, VectorXd{{1, 3}}};
     Polynomial const fit(SurrogateKind::constant, samples);
     EXPECT_NEAR(fit.value(VectorXd::Zero(1)), 4, 1e-14);
-    EXPECT_NEAR(fit.standard_deviation(VectorXd::Zero(1)), std::sqrt(32.0 / 4), 1e-12);
+    EXPECT_NEAR(fit.standard_deviation(VectorXd::Zero(1)), std::sqrt(12.0 / 4), 1e-12);
 }
 
 TEST(RadialBasis, IsTheNaturalCubicSplineInOneDimension)
