@@ -3,6 +3,7 @@
 #include "app/command.hpp"
 #include "demens/base/error.hpp"
 #include "ensemble/file/parts.hpp"
+#include "ensemble/run/wave_runner.hpp"
 #include "ensemble/session.hpp"
 #include "ensemble/storage/lock.hpp"
 #include "tao_calib/design/design.hpp"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 #include <optional>
 
 namespace demens::cli {
@@ -23,6 +25,46 @@ enum class IfExists
     refuse,
     replace
 };
+
+//! A campaign that is right, with its design, and what is to be told of it once it is accepted.
+struct Checked
+{
+    CampaignInput input;
+    std::string plan;
+};
+
+//! Reads a TOML file, plans its design and asks for the warnings: whatever is wrong is found before a word is
+//! printed.
+Checked read_checked(fs::path const& toml)
+{
+    Checked checked{CampaignInput::from_file(toml), {}};
+    auto const& input = checked.input;
+    tao_calib::Design design;
+    try {
+        design = tao_calib::plan_design(input.design, input.factors, input.constraints, input.seed);
+    } catch (InputError const& error) {
+        throw InputError(fmt::format("{}: {}", toml.string(), error.what()));
+    }
+    int runs_per_point = 0;
+    for (auto const& experiment : input.experiments)
+        runs_per_point += experiment.replicates;
+    auto const runs = design.points.rows() * runs_per_point;
+    if (runs > input.stop.runs)
+        throw InputError(
+            fmt::format("{}: the design has {} points and needs {} runs, but [stop] runs = {}; raise it or "
+                        "choose a smaller design",
+                        toml.string(), design.points.rows(), runs, input.stop.runs));
+    auto const to = std::back_inserter(checked.plan);
+    fmt::format_to(to, "{}: {} factors, {} experiments; the design has {} points, {} runs\n", input.name,
+                   input.factors.size(), input.experiments.size(), design.points.rows(), runs);
+    for (auto const& warning : input.warnings())
+        fmt::format_to(to, "  warning: {}\n", warning);
+    for (auto const& note : input.notes())
+        fmt::format_to(to, "  {}\n", note);
+    for (auto const& note : design.notes)
+        fmt::format_to(to, "  {}\n", note);
+    return checked;
+}
 
 //! A campaign file that holds the plan of its first wave.
 void create(fs::path const& file, CampaignInput const& input)
@@ -48,7 +90,7 @@ void replace_campaign(fs::path const& file, CampaignInput const& input)
 
 int make_new(fs::path const& toml, fs::path const& file, IfExists if_exists)
 {
-    auto const input = read_checked(toml);
+    auto const [input, plan] = read_checked(toml);
     if (if_exists == IfExists::replace && fs::exists(file))
         replace_campaign(file, input);
     else if (fs::exists(file))
@@ -58,7 +100,7 @@ int make_new(fs::path const& toml, fs::path const& file, IfExists if_exists)
                         file.string()));
     else
         create(file, input);
-    fmt::print("wrote {}; run it with: mpirun -n N demens {}\n", file.string(), file.string());
+    fmt::print("{}wrote {}; run it with: mpirun -n N demens {}\n", plan, file.string(), file.string());
     return success;
 }
 
@@ -77,39 +119,13 @@ fs::path default_campaign_file(fs::path const& toml)
     return file.replace_extension(".h5");
 }
 
-CampaignInput read_checked(fs::path const& toml)
-{
-    auto input = CampaignInput::from_file(toml);
-    tao_calib::Design design;
-    try {
-        design = tao_calib::plan_design(input.design, input.factors, input.constraints, input.seed);
-    } catch (InputError const& error) {
-        throw InputError(fmt::format("{}: {}", toml.string(), error.what()));
-    }
-    int runs_per_point = 0;
-    for (auto const& experiment : input.experiments)
-        runs_per_point += experiment.replicates;
-    auto const runs = design.points.rows() * runs_per_point;
-    if (runs > input.stop.runs)
-        throw InputError(
-            fmt::format("{}: the design has {} points and needs {} runs, but [stop] runs = {}; raise it or "
-                        "choose a smaller design",
-                        toml.string(), design.points.rows(), runs, input.stop.runs));
-    fmt::print("{}: {} factors, {} experiments; the design has {} points, {} runs\n", input.name,
-               input.factors.size(), input.experiments.size(), design.points.rows(), runs);
-    for (auto const& warning : input.warnings())
-        fmt::print("  warning: {}\n", warning);
-    for (auto const& note : input.notes())
-        fmt::print("  {}\n", note);
-    for (auto const& note : design.notes)
-        fmt::print("  {}\n", note);
-    return input;
-}
-
 void make_or_accept(fs::path const& toml, fs::path const& campaign_file)
 {
     if (!fs::exists(campaign_file)) {
-        create(campaign_file, read_checked(toml));
+        auto const [input, plan] = read_checked(toml);
+        ensemble::require_engine(input.run);
+        create(campaign_file, input);
+        fmt::print("{}", plan);
         return;
     }
     auto const input = CampaignInput::from_file(toml);

@@ -9,11 +9,8 @@ namespace demens::cli {
 //! `drawdown.toml` -> `drawdown.h5`
 std::filesystem::path default_campaign_file(std::filesystem::path const& toml);
 
-//! Reads a TOML file and plans its design, so that both are known to be right. Tells what the plan is.
-ensemble::CampaignInput read_checked(std::filesystem::path const& toml);
-
 //! Makes the campaign file of a TOML file, or accepts the one that is there when it was made of the same
-//! input. \throws InputError when it was made of another
+//! input. Tells what the plan of a new one is. \throws InputError when it was made of another
 void make_or_accept(std::filesystem::path const& toml, std::filesystem::path const& campaign_file);
 
 } // namespace demens::cli

@@ -51,6 +51,14 @@ refused 'experiment.oblique: .*steel meets glass, but there is no table \[contac
     's|wall_material = "steel"|wall_material = "glass"|; s|^\[contact|[material.glass]\ndensity = 2500\n[contact|'
 refused 'experiment.oblique: the rig impact cannot run this: .*time_step_s' 's|angle_deg = 75|angle_deg = 75\ntime_step_s = 0.01|'
 refused 'design.points = 50: 50 design points need 50 runs' 's|points = 5|points = 50|'
+# An engine that is not here: nothing is printed of the campaign, and no file is made, before it is refused.
+sed 's|^\[design\]|[run]\nengine = "cuda"\n[design]|' "$good" >bad.toml
+cmp -s "$good" bad.toml && fail "no [design] to put [run] before"
+if ! command -v nvidia-smi >/dev/null; then
+    expect 2 'run.engine = "cuda", and this process sees no CUDA device' "$demens" bad.toml
+    "$demens" bad.toml 2>&1 | grep -q 'the design has' && fail "the design is printed of a campaign that is refused"
+    only bad.toml
+fi
 rm bad.toml
 
 cp "$good" good.toml
