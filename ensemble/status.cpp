@@ -8,6 +8,7 @@
 #include "ensemble/session.hpp"
 #include "ensemble/storage/journal.hpp"
 #include "ensemble/storage/lock.hpp"
+#include "ensemble/verdict.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -84,7 +85,26 @@ NamedArray const* latest(Campaign const& campaign, stored::ArrayName const& name
     return nullptr;
 }
 
-std::string best_fit(Campaign const& campaign)
+//! What the targets tell of a factor; empty: nothing yet.
+std::string known_of_factor(Campaign const& campaign, std::size_t factor)
+{
+    std::size_t const factors = campaign.input.factors.size();
+    auto const* interval = latest(campaign, stored::optimum::factor_interval);
+    auto const* estimate = latest(campaign, stored::optimum::estimate);
+    auto const* verdict = latest(campaign, stored::optimum::factor_verdict);
+    if (!interval || interval->data.size() != 2 * factors || !estimate || estimate->data.size() != factors ||
+        !verdict || verdict->data.size() != factors)
+        return {};
+    auto const judged = static_cast<Verdict>(verdict->data[factor]);
+    if (!has_interval(judged))
+        return fmt::format("   {}", name_of(judged));
+    return fmt::format("   estimate {:.5g}, 95 % {:.4g} to {:.4g}", estimate->data[factor],
+                       interval->data[2 * factor], interval->data[2 * factor + 1]);
+}
+
+} // namespace
+
+std::string best_fit_text(Campaign const& campaign)
 {
     auto const* wmse = latest(campaign, stored::optimum::wmse);
     auto const* point = latest(campaign, stored::optimum::best_point);
@@ -94,16 +114,9 @@ std::string best_fit(Campaign const& campaign)
     if (auto const* run = latest(campaign, stored::optimum::best_run))
         text += fmt::format(" (run {:.0f})", run->data.front());
     text += "\n";
-    auto const* interval = latest(campaign, stored::optimum::factor_interval);
-    auto const* estimate = latest(campaign, stored::optimum::estimate);
-    for (std::size_t k = 0; k < point->data.size(); ++k) {
-        text += fmt::format("           {:<28} {:>12.5g}", campaign.input.factors[k].name, point->data[k]);
-        if (interval && interval->data.size() == 2 * point->data.size() && estimate &&
-            estimate->data.size() == point->data.size())
-            text += fmt::format("   estimate {:.5g}, 95 % {:.4g} to {:.4g}", estimate->data[k],
-                                interval->data[2 * k], interval->data[2 * k + 1]);
-        text += "\n";
-    }
+    for (std::size_t k = 0; k < point->data.size(); ++k)
+        text += fmt::format("           {:<28} {:>12.5g}{}\n", campaign.input.factors[k].name, point->data[k],
+                            known_of_factor(campaign, k));
     auto const* responses = latest(campaign, stored::optimum::best_responses);
     std::size_t t = 0;
     for (auto const& experiment : campaign.input.experiments)
@@ -116,8 +129,6 @@ std::string best_fit(Campaign const& campaign)
         }
     return text;
 }
-
-} // namespace
 
 std::string status_text(fs::path const& file, Rigs const& rigs)
 {
@@ -145,7 +156,7 @@ std::string status_text(fs::path const& file, Rigs const& rigs)
     }
     text += fmt::format("{:<21} {:>6} {:>6} {:>8} {:>7}\n\n", "all", campaign.runs_planned(), total.done,
                         total.running, total.failed);
-    text += best_fit(campaign);
+    text += best_fit_text(campaign);
     bool const has_rate = std::any_of(campaign.waves.begin(), campaign.waves.end(), is_complete);
     if (total.seconds_open > 0 && has_rate)
         text += fmt::format("time left  {} for the rest of this wave, on {} at a time\n",

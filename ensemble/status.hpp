@@ -11,4 +11,7 @@ namespace demens::ensemble {
 //! only, and is safe while a session works on the file. \throws InputError
 std::string status_text(std::filesystem::path const& file, Rigs const& rigs = rig::all_rigs());
 
+//! Its part on the best run, and what the targets tell of the factors.
+std::string best_fit_text(Campaign const& campaign);
+
 } // namespace demens::ensemble

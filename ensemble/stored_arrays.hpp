@@ -118,7 +118,8 @@ inline constexpr ArrayName factor_verdict = {
     "optimum/factor_verdict",
     "1",
     "by factor: 0 determined, 1 weakly determined, 2 not determined by these targets, 3 fixed after "
-    "screening, 4 the targets are missed, 5 extrapolated to where runs fail, 6 only a limit is known",
+    "screening, 4 the targets are missed, 5 extrapolated to where runs fail, 6 only a limit is known, 7 "
+    "extrapolated beyond all runs",
     {Extent::factors}};
 inline constexpr ArrayName factor_spread = {
     "optimum/factor_spread",

@@ -1,6 +1,9 @@
 #include "report/analysis.hpp"
 
+#include "ensemble/verdict.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace demens::report {
@@ -23,6 +26,34 @@ json nested(ensemble::NamedArray const& array, std::size_t dimension, std::size_
         list.push_back(dimension + 1 < array.shape.size() ? nested(array, dimension + 1, next)
                                                           : json(array.data.at(next++)));
     return list;
+}
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+//! By factor, what the targets tell of it; null before it is judged.
+json verdict_texts(Analysis const& analysis)
+{
+    auto const* verdicts = analysis.find(stored::optimum::factor_verdict);
+    if (!verdicts)
+        return nullptr;
+    json texts = json::array();
+    for (double const verdict : verdicts->data)
+        texts.push_back(std::isfinite(verdict) ? json(name_of(static_cast<ensemble::Verdict>(verdict)))
+                                               : nullptr);
+    return texts;
+}
+
+//! Numbers by factor, null where the verdict is that no run supports any; verdict_texts() says why.
+json supported(Analysis const& analysis, stored::ArrayName const& name)
+{
+    auto const* verdicts = analysis.find(stored::optimum::factor_verdict);
+    json values = analysis.values(name);
+    if (!verdicts || !values.is_array())
+        return values;
+    for (std::size_t k = 0; k < std::min(values.size(), verdicts->data.size()); ++k)
+        if (!has_interval(static_cast<ensemble::Verdict>(verdicts->data[k])))
+            values[k] = values[k].is_array() ? json(std::vector<double>(values[k].size(), none)) : json(none);
+    return values;
 }
 
 } // namespace
@@ -72,19 +103,21 @@ json optimum_of(Analysis const& analysis)
         {"predicted_responses", analysis.values(stored::optimum::predicted_responses)},
         {"predicted_sd", analysis.values(stored::optimum::predicted_sd)},
         {"predicted_wmse", analysis.scalar(stored::optimum::predicted_wmse)},
-        {"estimate", analysis.values(stored::optimum::estimate)},
+        {"estimate", supported(analysis, stored::optimum::estimate)},
         {"estimate_responses", analysis.values(stored::optimum::estimate_responses)},
         {"estimate_sd", analysis.values(stored::optimum::estimate_sd)},
         {"least_misfit", analysis.scalar(stored::optimum::least_misfit)},
         {"degrees", analysis.scalar(stored::optimum::degrees)},
         {"p_value", analysis.scalar(stored::optimum::p_value)},
         {"noise_inflation", analysis.scalar(stored::optimum::noise_inflation)},
-        {"spread", analysis.values(stored::optimum::factor_spread)},
+        {"spread", supported(analysis, stored::optimum::factor_spread)},
         {"on_bound", analysis.values(stored::optimum::factor_on_bound)},
-        {"standard_error", analysis.values(stored::optimum::factor_standard_error)},
-        {"interval", analysis.values(stored::optimum::factor_interval)},
+        {"standard_error", supported(analysis, stored::optimum::factor_standard_error)},
+        {"interval", supported(analysis, stored::optimum::factor_interval)},
         {"correlation", analysis.values(stored::optimum::factor_correlation)},
         {"verdict", analysis.values(stored::optimum::factor_verdict)},
+        {"verdict_text", verdict_texts(analysis)},
+        {"verdict_rule", ensemble::verdict_rule()},
         {"objective", analysis.scalar(stored::optimum::objective)},
         {"out_of_reach", analysis.values(stored::optimum::out_of_reach)},
     };

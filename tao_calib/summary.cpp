@@ -53,6 +53,14 @@ double scalar(Wave const& wave, stored::ArrayName const& name)
     return data && !data->empty() ? data->front() : std::numeric_limits<double>::quiet_NaN();
 }
 
+//! Whether the estimate itself is an extrapolation, so that nothing can be said of it.
+bool rests_on_no_runs(Wave const& wave)
+{
+    auto const* estimate = find(wave, stored::optimum::estimate);
+    return estimate &&
+           std::any_of(estimate->begin(), estimate->end(), [](double x) { return std::isnan(x); });
+}
+
 //! Whether the targets are met together: before anything that rests on it.
 void add_fit(std::string& out, Wave const& wave)
 {
@@ -60,6 +68,12 @@ void add_fit(std::string& out, Wave const& wave)
         return;
     double const p = scalar(wave, stored::optimum::p_value),
                  inflation = scalar(wave, stored::optimum::noise_inflation);
+    if (rests_on_no_runs(wave)) {
+        out += "  fit: whether the targets can be met is not known: the surrogates come nearest to them "
+               "where no run "
+               "supports it\n";
+        return;
+    }
     bool const missed = misses_targets(p);
     fmt::format_to(
         std::back_inserter(out), "  fit: the targets {} together, chi2 {} on {:g} degrees of freedom, p {}\n",
@@ -103,18 +117,21 @@ void add_factors(std::string& out, Campaign const& campaign, Wave const& wave)
     for (std::size_t j = 0; j < factors.size(); ++j) {
         fmt::format_to(to, "  {:<{}}  {:>12}", factors[j].name, width, known((*best)[j]));
         if (judged) {
-            fmt::format_to(to, "  {:>12}  {:>12} to {:>11}  {:>12}  {}", known((*estimated)[j]),
-                           known((*interval)[2 * j], 5), known((*interval)[2 * j + 1], 5),
-                           spread_text(factors[j], (*spread)[j]),
-                           name_of(static_cast<Verdict>((*verdict)[j])));
-            if ((*on_bound)[j] != 0)
+            auto const judged = static_cast<Verdict>((*verdict)[j]);
+            bool const stated = has_interval(judged);
+            fmt::format_to(to, "  {:>12}  {:>27}  {:>12}  {}", stated ? known((*estimated)[j]) : "none",
+                           stated ? fmt::format("{:>12} to {:>11}", known((*interval)[2 * j], 5),
+                                                known((*interval)[2 * j + 1], 5))
+                                  : "none",
+                           stated ? spread_text(factors[j], (*spread)[j]) : "-", name_of(judged));
+            if (stated && (*on_bound)[j] != 0)
                 fmt::format_to(to, "; the estimate is on the {} bound",
                                (*on_bound)[j] < 0 ? "lower" : "upper");
         }
         out += '\n';
     }
     if (judged)
-        fmt::format_to(to, "  {}\n", verdict_rule());
+        fmt::format_to(to, "  {}\n", ensemble::verdict_rule());
 }
 
 void add_targets(std::string& out, Campaign const& campaign, Wave const& wave)

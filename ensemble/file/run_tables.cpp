@@ -1,5 +1,7 @@
 #include "ensemble/file/run_tables.hpp"
 
+#include "ensemble/verdict.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -247,7 +249,8 @@ void check_numbers(NamedArray const& array, Wave const& wave, CampaignInput cons
     for (auto const& [path, least, most] :
          {Numbers{stored::optimum::best_point_number.path, -1, static_cast<double>(last_point)},
           Numbers{stored::optimum::best_run.path, -1, static_cast<double>(last_run)},
-          Numbers{stored::optimum::factor_verdict.path, 0, 6}, Numbers{stored::surrogate::kind.path, 0, 5},
+          Numbers{stored::optimum::factor_verdict.path, 0, verdicts - 1},
+          Numbers{stored::surrogate::kind.path, 0, 5},
           Numbers{stored::tradeoff::factors.path, 0, count(input.factors.size())},
           Numbers{stored::tradeoff::response.path, -1,
                   std::max(count(input.experiments.size()), count(most_responses))}})

@@ -1,12 +1,16 @@
 // What the factors do to the responses, and how well the targets determine them.
 
 const verdict_colours = [colours.band, colours.confirmation, colours.failed, colours.soft, colours.failed, colours.failed,
-    colours.confirmation];
+    colours.confirmation, colours.failed];
 
 function show_determination(parent) {
     const optimum = campaign.optimum;
     if (!optimum || !optimum.interval || !optimum.interval.flat().some(known)) {
-        parent.append(element('p', {class: 'note'}, 'Not known yet: too few finished runs.'));
+        const unsupported = optimum && optimum.interval;
+        parent.append(element('p', {class: 'note'}, unsupported
+            ? 'Not known: the surrogates come nearest to the targets where no run supports it.'
+            : 'Not known yet: too few finished runs.'));
+        if (unsupported) show_screening(parent);
         return;
     }
     const columns = element('div', {class: 'columns two'});

@@ -15,24 +15,23 @@ function show_fit(parent) {
     columns.append(left, right);
     parent.append(columns);
     left.append(element('h3', {}, 'Factors'), ...goodness_of_fit(), factor_table(),
-                element('p', {class: 'note'}, verdict_rule), element('h3', {}, 'Targets'), target_table(),
+                element('p', {class: 'note'}, optimum.verdict_rule), element('h3', {}, 'Targets'), target_table(),
                 ...targets_out_of_reach());
     show_deviations(right);
 }
 
-const verdicts = [['determined', 'good'], ['weakly determined', 'warn'], ['not determined by these targets', 'bad'],
-    ['fixed: inactive in the screening', ''], ['not determined: the targets are missed', 'bad'],
-    ['not determined: extrapolated to where runs fail', 'bad'], ['only a limit is known: 0 or either sign', 'warn']];
-
-const verdict_rule = 'Determined: the 95 % interval is within 25 % of the estimate (logarithmic factors: within a factor of '
-    + '1.25); weakly: within 50 % (1.5); as far as the targets limit it, whatever the bounds. None where the targets are missed '
-    + 'beyond chance (p < 0.01) or the interval reaches where runs fail.';
+// By the number of the verdict.
+const verdict_styles = ['good', 'warn', 'bad', '', 'bad', 'bad', 'warn', 'bad'];
 
 const targets_missed = (optimum) => known(optimum.p_value) && optimum.p_value < 0.01;
 
 // Whether the targets are met together: before anything that rests on it.
 function goodness_of_fit() {
     const optimum = campaign.optimum;
+    if (optimum.estimate && !optimum.estimate.some(known)) {
+        return [element('p', {class: 'bad'}, 'Whether the targets can be met is not known: the surrogates come nearest to them '
+            + 'where no run supports it.')];
+    }
     if (!known(optimum.p_value)) return [];
     const missed = targets_missed(optimum);
     const lines = [element('p', {class: missed ? 'bad' : ''}, `The targets ${missed ? 'cannot' : 'can'} be met together: χ² `
@@ -54,8 +53,9 @@ function factor_table() {
     const optimum = campaign.optimum;
     const rows = campaign.factors.map((factor, index) => {
         const interval = optimum.interval ? optimum.interval[index] : [null, null];
-        const [verdict, style] = verdicts[optimum.verdict ? optimum.verdict[index] : -1] || ['–', ''];
-        const side = optimum.on_bound ? optimum.on_bound[index] : 0;
+        const verdict = optimum.verdict_text ? optimum.verdict_text[index] : '–';
+        const style = optimum.verdict ? verdict_styles[optimum.verdict[index]] : '';
+        const side = optimum.on_bound && known(interval[0]) ? optimum.on_bound[index] : 0;
         const bound = side ? `; the estimate is on the ${side < 0 ? 'lower' : 'upper'} bound` : '';
         return [
             element('td', {title: factor.path}, words_of(factor.name)),

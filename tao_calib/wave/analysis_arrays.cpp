@@ -12,16 +12,18 @@ namespace stored = ensemble::stored;
 
 constexpr std::uint64_t uncertainty_stream = 0x756e636572; // "uncer"
 
-//! The estimate and how well it meets the targets: what all intervals rest on.
+//! The estimate and how well it meets the targets: what all intervals rest on. Unknown where no run supports
+//! it.
 void add_estimate(Arrays& arrays, Assessment const& assessment, FactorUncertainty const& known)
 {
     VectorXd const& unit = known.estimate.unit;
-    arrays.vector(stored::optimum::estimate, assessment.cube().to_values(unit));
-    arrays.vector(stored::optimum::estimate_responses, assessment.predict(unit));
-    arrays.vector(stored::optimum::estimate_sd, assessment.prediction_sd(unit));
-    arrays.number(stored::optimum::least_misfit, known.fit.chi_square);
+    double const stated = known.has_support ? 1 : std::numeric_limits<double>::quiet_NaN();
+    arrays.vector(stored::optimum::estimate, stated * assessment.cube().to_values(unit));
+    arrays.vector(stored::optimum::estimate_responses, stated * assessment.predict(unit));
+    arrays.vector(stored::optimum::estimate_sd, stated * assessment.prediction_sd(unit));
+    arrays.number(stored::optimum::least_misfit, stated * known.fit.chi_square);
     arrays.number(stored::optimum::degrees, known.fit.degrees);
-    arrays.number(stored::optimum::p_value, known.fit.p_value);
+    arrays.number(stored::optimum::p_value, stated * known.fit.p_value);
     arrays.number(stored::optimum::noise_inflation, known.fit.inflation);
 }
 
@@ -106,8 +108,10 @@ void add_knowledge(Arrays& arrays, ensemble::Campaign const& campaign, Assessmen
     auto const known = factor_uncertainty(assessment, seed);
     add_estimate(arrays, assessment, known);
     add_uncertainty(arrays, assessment, known);
-    add_region(arrays, assessment.cube(), tolerance_region(assessment, known, derive_seed(seed, 3)));
-    add_tradeoffs(arrays, tradeoffs(campaign, assessment, known));
+    if (known.has_support) {
+        add_region(arrays, assessment.cube(), tolerance_region(assessment, known, derive_seed(seed, 3)));
+        add_tradeoffs(arrays, tradeoffs(campaign, assessment, known));
+    }
     arrays.vector(stored::optimum::out_of_reach, out_of_reach(assessment));
 }
 

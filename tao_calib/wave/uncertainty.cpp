@@ -3,6 +3,7 @@
 #include "demens/base/error.hpp"
 #include "tao_calib/regression/distributions.hpp"
 #include "tao_calib/wave/feasibility.hpp"
+#include "tao_calib/wave/simulated_extent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double threshold_95 = 3.84; // chi-square with one degree of freedom
+constexpr double even = 0.5;          // chance of a good run below which an estimate is none
 
 //! A parameter set and its misfit.
 struct State
@@ -178,8 +180,13 @@ MatrixXd correlation(MatrixXd const& rows)
 //! Whether runs more probably fail than not at the estimate, or nearly always at an end of the interval.
 bool rests_on_failures(Feasibility const& feasibility, VectorXd const& best, FactorEvidence const& evidence)
 {
-    return feasibility.chance(best) < 0.5 || feasibility.chance(evidence.lower.point) < 0.25 ||
+    return feasibility.chance(best) < even || feasibility.chance(evidence.lower.point) < 0.25 ||
            feasibility.chance(evidence.upper.point) < 0.25;
+}
+
+bool determines(Verdict verdict)
+{
+    return verdict == Verdict::determined || verdict == Verdict::weakly;
 }
 
 } // namespace
@@ -217,6 +224,8 @@ FactorUncertainty factor_uncertainty(Assessment const& assessment, std::uint64_t
     result.correlations = correlation(values);
 
     Feasibility const feasibility(assessment.locations());
+    SimulatedExtent const simulated(assessment);
+    bool const is_missed = misses_targets(result.fit.p_value), is_simulated = simulated.holds(best);
     RandomStream random(derive_seed(seed, 2));
     MatrixXd extents(k, 2);
     result.spreads = VectorXd::Constant(k, std::numeric_limits<double>::quiet_NaN());
@@ -228,16 +237,27 @@ FactorUncertainty factor_uncertainty(Assessment const& assessment, std::uint64_t
             result.on_bounds.push_back(OnBound::none);
             continue;
         }
-        if (double const spread = evidence.spread(); std::isfinite(spread))
+        bool const by_extrapolation =
+            !is_simulated || (determines(evidence.verdict()) &&
+                              !(simulated.holds(j, extents(j, 0)) && simulated.holds(j, extents(j, 1))));
+        auto const verdict = is_missed                                        ? Verdict::misfit
+                             : rests_on_failures(feasibility, best, evidence) ? Verdict::extrapolated
+                             : by_extrapolation                               ? Verdict::beyond_runs
+                                                                              : evidence.verdict();
+        if (double const spread = evidence.spread(); std::isfinite(spread) && has_interval(verdict))
             result.spreads[j] = spread;
         result.on_bounds.push_back(evidence.on_bound());
-        result.verdicts.push_back(misses_targets(result.fit.p_value)               ? Verdict::misfit
-                                  : rests_on_failures(feasibility, best, evidence) ? Verdict::extrapolated
-                                                                                   : evidence.verdict());
+        result.verdicts.push_back(verdict);
     }
     result.intervals.resize(k, 2);
     result.intervals.col(0) = cube.to_values(extents.col(0));
     result.intervals.col(1) = cube.to_values(extents.col(1));
+    for (int j = 0; j < k; ++j)
+        if (!has_interval(result.verdicts[static_cast<std::size_t>(j)])) {
+            result.intervals.row(j).setConstant(std::numeric_limits<double>::quiet_NaN());
+            result.standard_errors[j] = std::numeric_limits<double>::quiet_NaN();
+        }
+    result.has_support = is_missed || (is_simulated && feasibility.chance(best) >= even);
     return result;
 }
 

@@ -11,12 +11,13 @@ struct FactorUncertainty
     Estimate estimate;               //!< with the noise as stated
     GoodnessOfFit fit;               //!< comes before all else
     Eigen::VectorXd target_noise;    //!< [m] of the estimate, enlarged by fit.inflation
-    Eigen::VectorXd standard_errors; //!< [k] own units
-    Eigen::MatrixXd intervals;       //!< [k x 2] own units, 95 %, within the bounds
+    Eigen::VectorXd standard_errors; //!< [k] own units; NaN where no run supports them
+    Eigen::MatrixXd intervals;       //!< [k x 2] own units, 95 %, within the bounds; NaN likewise
     Eigen::MatrixXd correlations;    //!< [k x k]
     std::vector<Verdict> verdicts;   //!< [k]
     Eigen::VectorXd spreads;         //!< [k] FactorEvidence::spread(), NaN where it is infinite
     std::vector<OnBound> on_bounds;  //!< [k]
+    bool has_support = true;         //!< of runs at the estimate; else nothing may be stated of it
     Eigen::MatrixXd draws;           //!< [n x k] unit cube; parameter sets, as likely as they are frequent
     //! misfit() up to which a set of all factors together is among those of the 95 % intervals
     double region_95 = 0;

@@ -1,23 +1,11 @@
 #pragma once
 
+#include "ensemble/verdict.hpp"
 #include "tao_calib/wave/assessment.hpp"
 
 namespace demens::tao_calib {
 
-//! How well the targets fix a factor. Numbers are those of the campaign file.
-enum class Verdict
-{
-    determined = 0,
-    weakly = 1,
-    not_determined = 2,
-    fixed = 3,        //!< inactive in the screening, kept at a value
-    misfit = 4,       //!< the targets are missed beyond chance: no interval means what it says
-    extrapolated = 5, //!< the interval rests on surrogates where runs fail
-    limit = 6         //!< the interval holds 0: how large it can be is known, not its sign
-};
-char const* name_of(Verdict verdict);
-//! How verdicts are come to, to be printed beside them.
-char const* verdict_rule();
+using ensemble::Verdict;
 
 //! Which bound an estimate lies on.
 enum class OnBound

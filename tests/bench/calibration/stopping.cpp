@@ -20,7 +20,7 @@ struct Way
 
     std::string name() const
     {
-        auto text = search == SearchKind::surrogate_minima ? word_for(solver) : word_for(search);
+        std::string const text = search == SearchKind::surrogate_minima ? word_for(solver) : word_for(search);
         return surrogate == SurrogateChoice::automatic ? text : text + ", " + word_for(surrogate);
     }
 };

@@ -55,6 +55,23 @@ TEST(Document, nests_the_arrays_of_the_calibration)
     EXPECT_DOUBLE_EQ(surrogate["slices"][1][0][0], 6.75);
 }
 
+TEST(Document, states_no_interval_that_no_run_supports)
+{
+    // Also where an earlier program stored one: null, and the reason in words.
+    auto campaign = test::sample_campaign();
+    for (auto& array : campaign.waves.back().analysis)
+        if (array.path == "optimum/factor_verdict")
+            array.data = {5, 1, 7};
+    auto const optimum = nlohmann::json::parse(document_of(campaign, test::sample_details).dump())["optimum"];
+    EXPECT_TRUE(optimum["interval"][0][0].is_null() && optimum["interval"][0][1].is_null());
+    EXPECT_TRUE(optimum["estimate"][0].is_null() && optimum["standard_error"][0].is_null());
+    EXPECT_TRUE(optimum["spread"][0].is_null() && optimum["interval"][2][0].is_null());
+    EXPECT_EQ(optimum["verdict_text"][0], "not determined: extrapolated to where runs fail");
+    EXPECT_EQ(optimum["verdict_text"][2], "not determined: extrapolated beyond all runs");
+    EXPECT_DOUBLE_EQ(optimum["interval"][1][1], 0.5);
+    EXPECT_DOUBLE_EQ(optimum["estimate"][1], 0.241);
+}
+
 TEST(Document, holds_where_targets_are_met_and_what_trades_off)
 {
     auto const document = sample_document();

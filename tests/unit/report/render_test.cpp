@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <limits>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -121,6 +122,23 @@ TEST(Render, finished_campaign)
          {"in 2 separate regions", "trade off (correlation", "measuring slow: porosity",
           "inactive, kept at 30", "by 0.4.", "radial basis functions, error", "fitted to 5 of 9 locations"})
         EXPECT_NE(page.find(finding), std::string::npos) << finding;
+}
+
+TEST(Render, says_in_words_what_no_run_supports)
+{
+    auto campaign = test::sample_campaign();
+    for (auto& array : campaign.waves.back().analysis) {
+        if (array.path == "optimum/factor_verdict")
+            array.data = {5, 5, 5};
+        if (array.path == "optimum/estimate")
+            array.data.assign(3, std::numeric_limits<double>::quiet_NaN());
+    }
+    auto const page = rendered(campaign);
+    expect_no_error(page);
+    EXPECT_EQ(count_of(page, "not determined: extrapolated to where runs fail</td>"), 3);
+    EXPECT_NE(page.find("Whether the targets can be met is not known"), std::string::npos);
+    EXPECT_EQ(marks_of(page).count("intervals"), 0u);
+    EXPECT_EQ(page.find("can be met together"), std::string::npos);
 }
 
 TEST(Render, campaign_under_way)

@@ -201,8 +201,8 @@ TEST(HostileFile, NumbersThatNumberNothingAreRefused)
                 HasSubstr("optimum/best_run: 6 is no whole number from -1 to 5"));
     EXPECT_THAT(refusal_with<double>(wave + "optimum/best_point_number", {1}, {0.5}),
                 HasSubstr("best_point_number: 0.5 is no whole number"));
-    EXPECT_THAT(refusal_with<double>(wave + "optimum/factor_verdict", {2}, {0, 7}),
-                HasSubstr("factor_verdict: 7 is no whole number from 0 to 6"));
+    EXPECT_THAT(refusal_with<double>(wave + "optimum/factor_verdict", {2}, {0, 8}),
+                HasSubstr("factor_verdict: 8 is no whole number from 0 to 7"));
     EXPECT_THAT(refusal_with<double>(wave + "tradeoff/factors", pair, {0, 2}),
                 HasSubstr("tradeoff/factors: 2 is no whole number from 0 to 1"));
     EXPECT_THAT(refusal_with<double>(wave + "tradeoff/response", pair, {0, 99}),

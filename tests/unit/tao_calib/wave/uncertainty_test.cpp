@@ -1,10 +1,14 @@
 #include "tao_calib/wave/uncertainty.hpp"
+
+#include "tao_calib/summary.hpp"
 #include "tests/unit/tao_calib/wave/stand_in.hpp"
 
 #include <gtest/gtest.h>
 
 namespace demens::tao_calib {
 namespace {
+
+using Eigen::VectorXd;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -246,8 +250,47 @@ TEST(FactorUncertainty, DeterminesNothingByExtrapolationToWhereRunsFail)
     stand_in.campaign.input.design.points = 20;
     stand_in.advance();
     auto const result = known(stand_in);
-    EXPECT_GT(result.intervals(0, 0), 0.5);
+    EXPECT_GT(result.estimate.unit[0], 0.5);
     EXPECT_EQ(result.verdicts[0], Verdict::extrapolated);
+    // No number that looks like knowledge is stated or stored: not the interval, nor that the target is met.
+    EXPECT_FALSE(result.has_support);
+    EXPECT_TRUE(std::isnan(result.intervals(0, 0)) && std::isnan(result.intervals(0, 1)));
+    EXPECT_TRUE(std::isnan(result.standard_errors[0]) && std::isnan(result.spreads[0]));
+    stand_in.campaign.input.stop.waves = 0;
+    stand_in.advance();
+    for (auto const* path : {"optimum/estimate", "optimum/estimate_responses", "optimum/p_value",
+                             "optimum/factor_interval", "optimum/factor_spread"})
+        EXPECT_TRUE(std::isnan(stand_in.stored(path).front())) << path;
+    EXPECT_THROW((void)stand_in.stored("region/share"), std::out_of_range);
+    auto const text = summary(stand_in.campaign);
+    EXPECT_NE(text.find("whether the targets can be met is not known"), std::string::npos) << text;
+    EXPECT_NE(text.find("none             -  not determined: extrapolated to where runs fail"),
+              std::string::npos)
+        << text;
+}
+
+TEST(FactorUncertainty, DeterminesNothingBeyondAllRuns)
+{
+    // y = a simulated from 0.1 to 0.4, the target at 0.9: a line tells it exactly, and no run supports it.
+    static auto const rig = response_names({"y"});
+    auto stand_in =
+        linear([](std::vector<double> const& f, int) { return std::vector<double>{f[0]}; }, rig, {0.9}, 0.01);
+    auto run_within = [&](double upper) {
+        stand_in.campaign.input.factors = {{"a", "a", 0.0, 1.0}};
+        double place = 0.1;
+        for (auto& run : stand_in.campaign.waves.front().runs) {
+            run.factors = {place};
+            run.responses = {place};
+            place += (upper - 0.1) / 9;
+        }
+        return known(stand_in);
+    };
+    auto const beyond = run_within(0.4);
+    EXPECT_NEAR(beyond.estimate.unit[0], 0.9, 1e-6);
+    EXPECT_EQ(beyond.verdicts[0], Verdict::beyond_runs);
+    EXPECT_TRUE(std::isnan(beyond.intervals(0, 0)));
+    // As near to the runs as the bounds of a Latin hypercube are to its points.
+    EXPECT_EQ(run_within(0.85).verdicts[0], Verdict::determined);
 }
 
 TEST(FactorUncertainty, TakesChi2WhereChi2IsLeast)
@@ -274,6 +317,27 @@ TEST(FactorUncertainty, TakesChi2WhereChi2IsLeast)
     EXPECT_NEAR(result.intervals(0, 0), mean - std::sqrt(3.84 / weight), 1e-4);
     EXPECT_NEAR(result.intervals(0, 1), mean + std::sqrt(3.84 / weight), 1e-4);
     EXPECT_EQ(result.fit.inflation, 1);
+}
+
+TEST(FactorUncertainty, CountsAnErrorKnownFromFewRunsAsLargerByStudentsT)
+{
+    // Ten scattering runs, polynomials: n - p degrees of freedom. t is 2.364624 for seven, 2.306004 for
+    // eight.
+    static auto const rig = response_names({"y"});
+    StandIn stand_in([](std::vector<double> const& f, int) { return std::vector<double>{3 * f[0]}; }, {0.3});
+    stand_in.campaign.input =
+        linear([](std::vector<double> const& f, int) { return std::vector<double>{f[0]}; }, rig, {1.5}, 0.05)
+            .campaign.input;
+    stand_in.campaign.input.surrogate.kind = ensemble::SurrogateChoice::quadratic;
+    stand_in.campaign.input.factors = {{"a", "a", 0.0, 1.0}};
+    stand_in.advance();
+    Assessment const assessment(stand_in.campaign, pounders());
+    double const degrees = assessment.surrogate(0).degrees_of_freedom();
+    ASSERT_TRUE(degrees == 7 || degrees == 8) << degrees;
+    VectorXd const place{{0.5}};
+    double const larger = (degrees == 7 ? 2.364624 : 2.306004) / 1.959964;
+    EXPECT_NEAR(target_noise(assessment, place)[0],
+                std::hypot(0.05, larger * assessment.prediction_sd(place)[0]), 1e-6);
 }
 
 TEST(FactorUncertainty, DoesNotUseASurrogateThatIsNoBetterThanTheMean)
