@@ -97,7 +97,7 @@ bool best_is_as_good_as_can_be(ensemble::Campaign const& campaign, Assessment co
     auto chi_square = [&](VectorXd const& deviations) {
         return deviations.cwiseQuotient(measured).squaredNorm();
     };
-    double const noticed = noticed_per_target * static_cast<double>(m);
+    double const noticed = met_within * met_within * static_cast<double>(m);
     bool const gains_nothing =
         chi_square(best->responses - targets) <= chi_square(responses - targets) + noticed;
     bool const is_the_optimum =

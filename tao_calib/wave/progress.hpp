@@ -15,9 +15,9 @@ bool met_within_noise(Assessment const& assessment);
 
 //! Whether no further run can bring the fit closer to the targets than the measurement tells, or tell more:
 //! the sum of squared deviations of the best location, each over the standard deviation of the measurement,
-//! is within a tenth per target of the least that the surrogates predict (or of the responses at the optimum
-//! that `[objective]` asks for), and predictions there are sure within a tenth of that standard deviation.
-//! \param latest arrays of the last wave, where they are not stored with it yet
+//! is within a hundredth per target of the least that the surrogates predict (or of the responses at the
+//! optimum that `[objective]` asks for), and predictions there are sure within a tenth of that standard
+//! deviation. \param latest arrays of the last wave, where they are not stored with it yet
 bool best_is_as_good_as_can_be(ensemble::Campaign const& campaign, Assessment const& assessment,
                                std::vector<ensemble::NamedArray> const& latest);
 
