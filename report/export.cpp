@@ -104,19 +104,28 @@ std::string runs_of(ensemble::Campaign const& campaign, int experiment)
     return csv;
 }
 
+//! What the page says of each factor: no interval that no run supports.
 std::string factors_of(ensemble::Campaign const& campaign, Analysis const& analysis)
 {
-    std::string csv = "name,path,lower,upper,best_run,estimate,interval_lower,interval_upper\n";
-    auto const of = [&](stored::ArrayName const& name, std::size_t index) {
-        auto const* array = analysis.find(name);
-        return array && index < array->data.size() ? cell(array->data[index]) : "";
+    std::string csv = "name,path,lower,upper,best_run,estimate,interval_lower,interval_upper,verdict\n";
+    auto const optimum = analysis.has_best() ? optimum_of(analysis) : nlohmann::json();
+    auto const part = [](nlohmann::json const& list, std::size_t index) {
+        return list.is_array() && index < list.size() ? list[index] : nlohmann::json();
+    };
+    auto const of = [&](char const* name, std::size_t index) {
+        return optimum.is_object() ? part(optimum[name], index) : nlohmann::json();
+    };
+    auto const number = [](nlohmann::json const& value) {
+        return value.is_number() ? cell(value.get<double>()) : "";
     };
     auto const& factors = campaign.input.factors;
-    for (std::size_t f = 0; f < factors.size(); ++f)
-        csv += fmt::format("{},{},{},{},{},{},{},{}\n", cell(factors[f].name), cell(factors[f].path),
-                           factors[f].lower, factors[f].upper, of(stored::optimum::best_point, f),
-                           of(stored::optimum::estimate, f), of(stored::optimum::factor_interval, 2 * f),
-                           of(stored::optimum::factor_interval, 2 * f + 1));
+    for (std::size_t f = 0; f < factors.size(); ++f) {
+        auto const interval = of("interval", f), verdict = of("verdict_text", f);
+        csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", cell(factors[f].name), cell(factors[f].path),
+                           factors[f].lower, factors[f].upper, number(of("point", f)),
+                           number(of("estimate", f)), number(part(interval, 0)), number(part(interval, 1)),
+                           verdict.is_string() ? cell(verdict.get<std::string>()) : "");
+    }
     return csv;
 }
 
