@@ -4,6 +4,7 @@
 #include "demens/base/error.hpp"
 #include "demens/base/text/number.hpp"
 #include "demens/observe/vtk_frames.hpp"
+#include "demens/rig/programme/memory.hpp"
 #include "demens/rig/programme/programme.hpp"
 #include "ensemble/run/execute.hpp"
 
@@ -75,7 +76,8 @@ void print_plan(ensemble::Experiment const& experiment, rig::RunInput const& inp
                programme.expected_duration, steps);
     fmt::print("  expected to take about {:.2g} s at 1e7 particle steps a second, one core of today\n",
                cost / usual_rate);
-    fmt::print("  memory           at least {:.2g} MB\n", 700 * programme.expected_particles * 1e-6);
+    fmt::print("  memory           at least {:.2g} MB\n",
+               1e-6 * rig::memory_needed(programme.expected_particles));
     Extent bodies;
     double smallest = std::numeric_limits<double>::infinity(), largest = 0;
     for (auto const& body : apparatus.bodies) {

@@ -12,19 +12,25 @@ namespace {
 
 constexpr std::size_t most_points = 1000; // of a curve, that a plot can show
 
-//! Number of the first target of a kind in an experiment, among all of the campaign.
-std::size_t first_target(ensemble::CampaignInput const& input, std::size_t experiment,
-                         ensemble::TargetSource source)
+//! Numbers of the targets of a kind that an experiment has: among its own, and where those begin among all of
+//! the campaign.
+struct TargetsOf
 {
-    std::size_t number = 0;
-    for (std::size_t e = 0; e < experiment; ++e)
-        number += input.experiments[e].targets.size();
-    auto const& targets = input.experiments[experiment].targets;
-    auto const first = std::find_if(targets.begin(), targets.end(), [&](ensemble::Target const& target) {
-        return target.comes_of == source;
-    });
-    return number + static_cast<std::size_t>(first - targets.begin());
-}
+    std::size_t own, before;
+
+    TargetsOf(ensemble::CampaignInput const& input, std::size_t experiment, ensemble::TargetSource source)
+        : before(0)
+    {
+        for (std::size_t e = 0; e < experiment; ++e)
+            before += input.experiments[e].targets.size();
+        auto const& targets = input.experiments[experiment].targets;
+        own = static_cast<std::size_t>(
+            std::find_if(targets.begin(), targets.end(),
+                         [&](ensemble::Target const& target) { return target.comes_of == source; }) -
+            targets.begin());
+    }
+    std::size_t next() { return before + own++; }
+};
 
 json points_of(ensemble::MeasuredCurve const& curve)
 {
@@ -61,19 +67,19 @@ json curves_beside(ensemble::CampaignInput const& input, std::size_t experiment,
 {
     json list = json::array();
     auto const& described = input.experiments[experiment];
-    std::size_t response = 0; // of the windows, among the responses of the experiment
-    auto target = first_target(input, experiment, ensemble::TargetSource::curve);
+    TargetsOf targets(input, experiment, ensemble::TargetSource::curve);
     for (auto const& curve : described.curves) {
-        while (described.responses[response].name != curve.name + "_" + curve.windows.front().name)
-            ++response;
+        auto const response = static_cast<std::size_t>(described.targets[targets.own].response_index);
         auto simulated = simulated_curve(curve, details.series, details.profiles);
         double const shift = shift_of(curve, simulated);
         for (double& place : simulated.axis)
             place -= shift;
         json windows = json::array();
         for (auto const& window : curve.windows)
-            windows.push_back(
-                {{"name", window.name}, {"from", window.from}, {"to", window.to}, {"target", target++}});
+            windows.push_back({{"name", window.name},
+                               {"from", window.from},
+                               {"to", window.to},
+                               {"target", targets.next()}});
         list.push_back({{"name", curve.name},
                         {"units", described.responses[response].units},
                         {"axis", curve.is_profile ? "axis" : "time"},
@@ -101,9 +107,9 @@ json picture_beside(ensemble::CampaignInput const& input, std::size_t experiment
         return nullptr; // kept by no run of earlier programs
     }
     json segments = json::array();
-    auto number = first_target(input, experiment, ensemble::TargetSource::picture);
+    TargetsOf targets(input, experiment, ensemble::TargetSource::picture);
     for (std::size_t const k : target->segments)
-        segments.push_back({{"x", 1e3 * target->bed.profile.x[k]}, {"target", number++}});
+        segments.push_back({{"x", 1e3 * target->bed.profile.x[k]}, {"target", targets.next()}});
     auto const& circle = target->frame.circle;
     return {{"columns", target->frame.columns},
             {"rows", target->frame.rows},

@@ -1,6 +1,7 @@
 #include "report/export.hpp"
 
 #include "demens/base/file_error.hpp"
+#include "demens/base/text/csv.hpp"
 #include "ensemble/session.hpp"
 #include "report/analysis.hpp"
 #include "report/shown_run.hpp"
@@ -20,12 +21,7 @@ namespace stored = ensemble::stored;
 //! In quotes where a reader could take it apart.
 std::string cell(std::string const& text)
 {
-    if (text.find_first_of(",\"\n") == std::string::npos)
-        return text;
-    std::string quoted = "\"";
-    for (char const c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
+    return text.find_first_of(",\"\n") == std::string::npos ? text : text::csv_quoted(text);
 }
 //! All digits; empty where there is no number.
 std::string cell(double value)

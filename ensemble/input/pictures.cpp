@@ -94,28 +94,35 @@ std::vector<std::string> read_picture_target(InputTable const& table, InputTable
             ->describe(make_run_input(base, {}, static_cast<int>(base.experiments.size()) - 1, 1))
             .picture;
     };
-    std::vector<observe::BedPicture> beds;
-    try {
-        std::vector<observe::GreyImage> images;
+    //! What is wrong with a photograph is said beside its key.
+    auto const of_files = [&](auto const& read) {
+        try {
+            return read();
+        } catch (InputError const& error) {
+            throw table.error(table.has("files") ? "files" : "file", error.what());
+        }
+    };
+    std::vector<observe::GreyImage> images;
+    auto const mean = of_files([&] {
         for (auto const& file : target.files) {
             if (!base.files.count(file))
                 base.files.emplace(file, std::make_shared<std::string const>(source(file)));
             images.push_back(picture_file::read_picture(*base.files.at(file), file));
         }
-        auto const mean = mean_of(images);
-        target.frame = frame_of(table, target, mean, picture_of_rig()->radius);
-        observe::PhotographReading const reading{.threshold = threshold_of(table, target.given),
-                                                 .trust_circle = target.given.flag("trust_circle"),
-                                                 .bed = target.reading};
-        target.bed = read_photograph(mean, target.frame, reading).bed;
-        for (auto const& image : images)
-            if (images.size() > 2)
-                beds.push_back(read_photograph(image, target.frame, reading).bed);
-    } catch (InputError const& error) {
-        if (std::string(error.what()).find(table.path()) != std::string::npos)
-            throw; // says already where it is
-        throw table.error(table.has("files") ? "files" : "file", error.what());
-    }
+        return mean_of(images);
+    });
+    target.frame = frame_of(table, target, mean, picture_of_rig()->radius);
+    observe::PhotographReading const reading{.threshold = threshold_of(table, target.given),
+                                             .trust_circle = target.given.flag("trust_circle"),
+                                             .bed = target.reading};
+    auto const bed_of = [&](observe::GreyImage const& image) {
+        return of_files([&] { return read_photograph(image, target.frame, reading).bed; });
+    };
+    target.bed = bed_of(mean);
+    std::vector<observe::BedPicture> beds;
+    for (auto const& image : images)
+        if (images.size() > 2)
+            beds.push_back(bed_of(image));
     if (!experiment_table.has(raster)) // as fine as the photograph
         rig_values.set(raster, std::int64_t{2} * std::llround(target.frame.circle.radius));
     target.simulated = *picture_of_rig();

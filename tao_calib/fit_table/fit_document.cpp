@@ -1,5 +1,7 @@
 #include "tao_calib/fit_table/fit_document.hpp"
 
+#include "demens/base/text/csv.hpp"
+
 #include "tao_calib/fit_table/fit_report.hpp"
 
 #include <cmath>
@@ -150,13 +152,7 @@ std::string cell(Json const& value)
         return "";
     if (!value.is_string())
         return value.dump();
-    std::string text = "\"";
-    for (char const c : value.get<std::string>()) {
-        text += c;
-        if (c == '"')
-            text += c;
-    }
-    return text + '"';
+    return text::csv_quoted(value.get<std::string>());
 }
 
 //! Numbers of an object under their keys; the objects of its lists are parts, named by their first key.

@@ -241,4 +241,15 @@ std::vector<double> CsvTable::numbers(int column) const
     return values;
 }
 
+std::string csv_quoted(std::string const& text)
+{
+    std::string cell = "\"";
+    for (char const c : text) {
+        cell += c;
+        if (c == '"')
+            cell += c;
+    }
+    return cell + '"';
+}
+
 } // namespace demens::text

@@ -76,7 +76,7 @@ Apparatus build(Setup const& rig)
     return apparatus;
 }
 
-//! Lowest point of the particles that are still in or above the funnel, over all of the mass.
+//! Mass that is still in or above the funnel, over all of it.
 double share_in_funnel(Look& look, Setup const& rig)
 {
     auto const& particles = look.particles();
@@ -96,11 +96,11 @@ bool heap_lies(Look& look, Setup const& rig)
                    0.5 * (rig.top_of_fill() + rig.sizes.largest()) >
                look.progress().series.column("height_mm").back() * 1e-3;
     double const left = share_in_funnel(look, rig);
-    if (left > 0.5)
+    if (left > 0.02)
         throw RunFailure(
             RunStatus::timed_out,
             fmt::format(
-                "an arch blocks the outlet: nothing moves, and {:.0f} % of the mass are still in the funnel",
+                "an arch blocks the outlet: nothing moves, and {:.3g} % of the mass are still in the funnel",
                 100 * left));
     return true;
 }
@@ -143,7 +143,7 @@ Programme describe(RunInput const& input)
     auto const last = programme.stages.size() - 1;
     programme.readings = heap::readings(*setup);
     programme.profiles = heap::profiles(*setup, last);
-    programme.responses = heap::responses(setup, last);
+    programme.responses = heap::responses(last);
     return programme;
 }
 

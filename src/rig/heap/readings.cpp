@@ -137,7 +137,7 @@ std::vector<ResponseInfo> response_infos()
 }
 
 //! The last row of the series has them all: they are read there, too, so that their curves are kept.
-std::vector<Response> responses(std::shared_ptr<Setup const> const&, std::size_t last)
+std::vector<Response> responses(std::size_t last)
 {
     std::vector<Response> all;
     for (auto const& measure : measures())

@@ -48,7 +48,7 @@ OptionSpecs options();
 
 std::vector<ResponseInfo> response_infos();
 //! \param last number of the stage at whose end the heap lies there
-std::vector<Response> responses(std::shared_ptr<Setup const> const& setup, std::size_t last);
+std::vector<Response> responses(std::size_t last);
 std::vector<Reading> readings(Setup const& setup);
 std::vector<ProfileReading> profiles(Setup const& setup, std::size_t last);
 

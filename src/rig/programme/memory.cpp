@@ -1,4 +1,4 @@
-#include "src/rig/programme/memory.hpp"
+#include "demens/rig/programme/memory.hpp"
 
 #include "demens/base/error.hpp"
 

@@ -1,7 +1,7 @@
 #include "demens/rig/programme/programme_run.hpp"
 
 #include "demens/base/contract.hpp"
-#include "src/rig/programme/memory.hpp"
+#include "demens/rig/programme/memory.hpp"
 
 #include <algorithm>
 

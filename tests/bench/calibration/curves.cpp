@@ -5,11 +5,11 @@
 #include "ensemble/session.hpp"
 #include "tao_calib/solver/pounders.hpp"
 #include "tao_calib/wave/assessment.hpp"
+#include "tests/bench/calibration/with_petsc.hpp"
 
 #include <Eigen/SVD>
 
 #include <fmt/format.h>
-#include <mpi.h>
 
 namespace {
 
@@ -104,16 +104,14 @@ void compare(std::string const& file, tao_calib::PetscSession const& petsc)
 
 int main(int count, char** arguments)
 {
-    int provided = 0;
-    MPI_Init_thread(&count, &arguments, MPI_THREAD_FUNNELED, &provided);
-    fmt::print("Root mean square error of a window, each location left out in turn:\n\n"
-               "| campaign, curve | locations | windows | of the mean of all | one by one | 1 component | 2 "
-               "| 3 | 4 | 5 |\n"
-               "|---|---|---|---|---|---|---|---|---|---|\n");
-    {
-        tao_calib::PetscSession const petsc;
+    return bench::with_petsc(count, arguments, [&] {
+        fmt::print(
+            "Root mean square error of a window, each location left out in turn:\n\n"
+            "| campaign, curve | locations | windows | of the mean of all | one by one | 1 component | 2 "
+            "| 3 | 4 | 5 |\n"
+            "|---|---|---|---|---|---|---|---|---|---|\n");
         for (int k = 1; k < count; ++k)
-            compare(arguments[k], petsc);
-    }
-    MPI_Finalize();
+            compare(arguments[k], *tao_calib::PetscEnvironment::session());
+        return 0;
+    });
 }

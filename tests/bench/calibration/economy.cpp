@@ -2,6 +2,7 @@
 // and with a plain Latin hypercube and polynomial. Writes a table in Markdown.
 //   economy AUGER_TABLE.csv [SEEDS] [[SOLVER] KIND OF SURROGATE...]
 #include "tests/bench/calibration/test_functions.hpp"
+#include "tests/bench/calibration/with_petsc.hpp"
 #include "tests/unit/tao_calib/wave/stand_in.hpp"
 
 #include "tao_calib/design/latin_hypercube.hpp"
@@ -247,11 +248,7 @@ int main(std::vector<std::string> const& arguments)
 
 int main(int argc, char** argv)
 {
-    int provided = 0;
-    MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
-    demens::tao_calib::PetscEnvironment::session() = std::make_unique<demens::tao_calib::PetscSession>();
-    int const code = demens::bench::main({argv + 1, argv + argc});
-    demens::tao_calib::PetscEnvironment::session().reset();
-    MPI_Finalize();
-    return code;
+    return demens::bench::with_petsc(argc, argv, [&] {
+        return demens::bench::main({argv + 1, argv + argc});
+    });
 }

@@ -1,6 +1,7 @@
 // How many runs campaigns take until they end by themselves, and how far from the truth they end, for every
 // way of searching. Writes a table in Markdown.   stopping [SEEDS] [PROBLEM...]
 #include "tests/bench/calibration/stopping_problems.hpp"
+#include "tests/bench/calibration/with_petsc.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -103,11 +104,8 @@ void main(std::vector<std::string> const& arguments)
 
 int main(int argc, char** argv)
 {
-    int provided = 0;
-    MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided);
-    demens::tao_calib::PetscEnvironment::session() = std::make_unique<demens::tao_calib::PetscSession>();
-    demens::bench::main({argv + 1, argv + argc});
-    demens::tao_calib::PetscEnvironment::session().reset();
-    MPI_Finalize();
-    return 0;
+    return demens::bench::with_petsc(argc, argv, [&] {
+        demens::bench::main({argv + 1, argv + argc});
+        return 0;
+    });
 }

@@ -64,4 +64,7 @@ class CsvTable
     std::string doubt_; //!< why numbers with a comma or a point cannot be read; empty: they can
 };
 
+//! A text as a cell in quotes, with those inside doubled.
+std::string csv_quoted(std::string const& text);
+
 } // namespace demens::text
