@@ -144,6 +144,37 @@ std::vector<OptionSpec> const& pair_options()
          .doc = "contact angle of the liquid, `capillary` [deg]",
          .lower = 0.0,
          .upper = 90.0},
+        {.key = "added_energy_density",
+         .default_value = 0.0,
+         .doc = "attraction over contact area that adds to that of `cohesion`, whatever it is [J/m^3]",
+         .lower = 0.0},
+        {.key = "added_surface_energy",
+         .default_value = 0.0,
+         .doc = "surface energy of either body that adds to `cohesion` as that of `dmt` [J/m^2]",
+         .lower = 0.0},
+        {.key = "added_surface_gap",
+         .default_value = 0.0,
+         .doc = "gap up to which `added_surface_energy` pulls with all its force, beyond it falls as that of "
+                "`van_der_waals` [m]; 0: in contact only",
+         .lower = 0.0},
+        {.key = "added_surface_tension",
+         .default_value = 0.0,
+         .doc = "surface tension of liquid bridges that add to `cohesion` as those of `capillary` [N/m]",
+         .lower = 0.0},
+        {.key = "added_bridge_volume",
+         .default_value = 0.01,
+         .doc = "volume of these bridges over the cube of the effective radius [-]",
+         .lower = 1e-9,
+         .upper = 1.0},
+        {.key = "added_charge_pressure",
+         .default_value = 0.0,
+         .doc = "product of the charges per area over twice the electric constant [Pa]: positive pushes, "
+                "negative pulls"},
+        {.key = "added_charge_reach",
+         .default_value = 0.5,
+         .doc = "gap over effective radius at which the force of charges is cut off [-]",
+         .lower = 0.01,
+         .upper = 4.0},
         {.key = "friction_limit",
          .default_value = std::string("elastic"),
          .doc =
@@ -188,6 +219,13 @@ PairProperties make_pair(std::string first, std::string second, OptionValues con
     pair.surface_tension = coefficient(values, "surface_tension");
     pair.bridge_volume = coefficient(values, "bridge_volume");
     pair.contact_angle_deg = values.number("contact_angle_deg");
+    pair.added_energy_density = values.number("added_energy_density");
+    pair.added_surface_energy = values.number("added_surface_energy");
+    pair.added_surface_gap = values.number("added_surface_gap");
+    pair.added_surface_tension = values.number("added_surface_tension");
+    pair.added_bridge_volume = values.number("added_bridge_volume");
+    pair.added_charge_pressure = values.number("added_charge_pressure");
+    pair.added_charge_reach = values.number("added_charge_reach");
     pair.friction_limit = read_word(friction_limit_words, values.text("friction_limit"));
     pair.cohesion_in_limit = values.flag("cohesion_in_limit");
     if (pair.kinetic_friction > pair.static_friction)

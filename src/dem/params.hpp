@@ -18,6 +18,7 @@ struct LawKinds
     contact::TangentialLaw tangential;
     contact::RollingLaw rolling;
     contact::CohesionLaw cohesion;
+    bool added; //!< terms that add to it
 
     friend bool operator==(LawKinds const&, LawKinds const&) = default;
 };

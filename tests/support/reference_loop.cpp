@@ -294,13 +294,17 @@ ReferenceLoop::Action ReferenceLoop::act(Meeting const& meeting, contact::LawSet
     contact::NormalResponse const normal = laws.normal.visit([&](auto const& law) {
         return law(kinematics, {}, {history.normal, nullptr});
     });
-    double const attraction = laws.cohesion.visit([&]<class Law>(Law const& law) {
-        if constexpr (std::is_same_v<Law, NoLaw>)
-            return 0.0;
-        else
-            return law(kinematics, normal, {history.cohesion, nullptr}).force;
-    });
-    double const limit = laws.cohesion_in_limit ? normal.limit + attraction : normal.limit;
+    auto const attraction_of = [&](auto const& any, double* scalars) {
+        return any.visit([&]<class Law>(Law const& law) {
+            if constexpr (std::is_same_v<Law, NoLaw>)
+                return 0.0;
+            else
+                return law(kinematics, normal, {scalars, nullptr}).force;
+        });
+    };
+    double const named = attraction_of(laws.cohesion, history.cohesion);
+    double const added = attraction_of(laws.added, history.added), attraction = named + added;
+    double const limit = laws.cohesion_in_limit ? normal.limit + named + std::min(added, 0.0) : normal.limit;
     contact::NormalResponse const load{.limit = std::max(limit, 0.0), .stiffness = normal.stiffness};
     auto const resistance = [&](double* scalars, Vector3* vectors) {
         return [&kinematics, &load, scalars, vectors]<class Law>(Law const& law) {

@@ -49,7 +49,7 @@ class ReferenceLoop
     //! What the laws of one contact remember.
     struct History
     {
-        double normal[4] = {}, cohesion[4] = {}, tangential[4] = {}, rolling[4] = {};
+        double normal[4] = {}, cohesion[4] = {}, added[4] = {}, tangential[4] = {}, rolling[4] = {};
         Vector3 sliding{}, turning{};
     };
     //! Two bodies that meet, with the distances of their centres from the contact point; a wall has none.

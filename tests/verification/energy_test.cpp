@@ -156,6 +156,29 @@ TEST(Energy, ClosesInASettlingBoxForEveryLaw)
     }
 }
 
+TEST(Energy, ClosesWithTermsThatAddToCohesion)
+{
+    auto pair = usual();
+    pair.added_energy_density = 5e4;
+    pair.added_surface_energy = 0.1;
+    pair.added_surface_gap = 2e-5;
+    pair.added_surface_tension = 0.15;
+    for (double const pressure : {-20.0, 40.0}) {
+        pair.added_charge_pressure = pressure;
+        auto simulation = settling_box(pair);
+        double worst = 0, strongest = 0;
+        for (int k = 0; k < 60; ++k) {
+            simulation.advance(100);
+            auto const energy = simulation.energy();
+            worst = std::max(worst, std::abs(energy.closure_error()));
+            strongest = std::max(strongest, std::abs(energy.cohesive) / energy.turned_over);
+        }
+        ASSERT_EQ(simulation.health(), dem::Health::good);
+        EXPECT_LT(worst, 5e-3) << pressure;
+        EXPECT_GT(strongest, 0.01) << pressure;
+    }
+}
+
 TEST(Energy, ClosesInATurningDrum)
 {
     dem::Simulation simulation(one_material(grain, usual()),

@@ -36,8 +36,12 @@ std::vector<std::string> const& choices_of(std::string const& kind)
 struct Combination
 {
     std::string normal, tangential, rolling, cohesion;
+    bool added = false; //!< terms that add to any cohesion
 
-    std::string name() const { return normal + " + " + tangential + " + " + rolling + " + " + cohesion; }
+    std::string name() const
+    {
+        return normal + " + " + tangential + " + " + rolling + " + " + cohesion + (added ? " + added" : "");
+    }
 };
 
 std::vector<Combination> all_combinations()
@@ -85,6 +89,15 @@ contact::Model model_of(Combination const& laws, bool cohesion_in_limit)
                                          {"contact_angle_deg", 30.0}})
             values.set(key, key == std::string("contact_angle_deg") ? value : share * value);
         model.pairs.push_back(contact::make_pair(a, b, values));
+        if (laws.added)
+            for (auto const& [key, value] : {std::pair{"added_energy_density", 1e4},
+                                             {"added_surface_energy", 0.1},
+                                             {"added_surface_gap", 2e-6},
+                                             {"added_surface_tension", 0.2},
+                                             {"added_bridge_volume", 1e-6},
+                                             {"added_charge_pressure", 20.0},
+                                             {"added_charge_reach", 0.05}})
+                values.set(key, key == std::string("added_charge_reach") ? value : share * value);
         share *= 1.1;
     }
     return model;
@@ -194,6 +207,18 @@ TEST(Reference, EveryCombinationOfLaws)
                 EXPECT_GT(counts.pair_steps, 300u);
                 EXPECT_GT(counts.wall_steps, 150u);
             }
+}
+
+TEST(Reference, EveryCohesionWithTermsThatAdd)
+{
+    for (auto const& cohesion : choices_of("cohesion"))
+        for (bool const in_limit : {false, true}) {
+            Combination const laws{"hertz", "mindlin_rescale", "epsd2", cohesion, true};
+            SCOPED_TRACE(laws.name() + (in_limit ? ", cohesion in the limit" : ""));
+            Counts const counts = compare(laws, in_limit, false, 50);
+            EXPECT_GT(counts.pair_steps, 300u);
+            EXPECT_GT(counts.wall_steps, 150u);
+        }
 }
 
 TEST(Reference, ManySpheresOverManyRebuilds)

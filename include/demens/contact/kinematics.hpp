@@ -39,8 +39,8 @@ struct NormalResponse
 //! What a cohesion law gives.
 struct CohesionResponse
 {
-    double force;  //!< along the normal on i [N], never positive
-    double stored; //!< its potential, 0 beyond its range [J], never positive
+    double force;  //!< along the normal on i [N], never positive unless the law may push
+    double stored; //!< its potential, 0 beyond its range [J], of the sign of the force
     double lost;   //!< energy lost in this step because a bond has formed or broken [J]
 };
 

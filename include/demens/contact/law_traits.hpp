@@ -27,6 +27,7 @@ struct LawTraits
     static constexpr bool has_dashpot = false;     //!< the response has a viscous part
     static constexpr bool has_potential = true;    //!< normal law: `stored` is a function of the overlap
     static constexpr bool needs_contact = true;    //!< acts across a gap only after a contact
+    static constexpr bool may_push = false;        //!< cohesion law: its force may be repulsive
 
     //! How far the law acts beyond contact, at this effective radius [m].
     double range(double) const { return 0; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "demens/contact/cohesion/added_terms.hpp"
 #include "demens/contact/cohesion/capillary.hpp"
 #include "demens/contact/cohesion/dmt.hpp"
 #include "demens/contact/cohesion/jkr.hpp"
@@ -29,6 +30,8 @@ using AnyTangential = OneOf<NoLaw, MindlinTangential, MindlinRescaleTangential, 
 using AnyRolling = OneOf<NoLaw, ConstantTorqueRolling, ViscousRolling, EpsdRolling, Epsd2Rolling>;
 using AnyCohesion = OneOf<NoLaw, LinearCohesion, Sjkr2Cohesion, VanDerWaalsCohesion, DmtCohesion, JkrCohesion,
                           CapillaryCohesion>;
+//! Terms that add to any cohesion law; none where all their amplitudes are 0.
+using AnyAdded = OneOf<NoLaw, AddedCohesion>;
 
 //! The laws of one pair of materials, ready to be evaluated on the host or, copied byte by byte, on a device.
 struct LawSet
@@ -40,6 +43,7 @@ struct LawSet
     AnyTangential tangential;
     AnyRolling rolling;
     AnyCohesion cohesion;
+    AnyAdded added;
     bool cohesion_in_limit; //!< attraction lowers the limit of friction and rolling
 
     //! Share of the attraction in the limit of friction and rolling.

@@ -40,6 +40,13 @@ struct PairProperties
     double surface_tension = 0;               //!< [N/m] of `capillary`
     double bridge_volume = 0;                 //!< [m^3] of `capillary`
     double contact_angle_deg = 0;             //!< [deg] of `capillary`
+    double added_energy_density = 0;          //!< [J/m^3], of terms that add to any cohesion law
+    double added_surface_energy = 0;          //!< [J/m^2]
+    double added_surface_gap = 0;             //!< [m], up to which it pulls with all its force
+    double added_surface_tension = 0;         //!< [N/m]
+    double added_bridge_volume = 0.01;        //!< [-], over the cube of the effective radius
+    double added_charge_pressure = 0;         //!< [Pa], positive: pushes
+    double added_charge_reach = 0.5;          //!< [-], gap over effective radius
     FrictionLimit friction_limit = FrictionLimit::elastic;
     bool cohesion_in_limit = false; //!< attraction lowers the limit of friction and rolling
 };

@@ -14,7 +14,7 @@ struct EnergyLedger
     double elastic_normal = 0; //!< in contacts
     double elastic_tangential = 0;
     double elastic_rolling = 0;
-    double cohesive = 0; //!< in bonds, never positive
+    double cohesive = 0; //!< in bonds, positive only between charges that push
 
     // Since the start
     double lost_to_damping = 0;  //!< viscous and hysteretic contacts

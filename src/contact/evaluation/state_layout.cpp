@@ -13,10 +13,10 @@ StateSize size_of(OneOf<Laws...> const& law, bool ledger)
 
 StateLayout state_layout(LawSet const& laws, bool ledger)
 {
-    return state_layout(size_of<NormalStage>(laws.normal, ledger),
-                        size_of<CohesionStage>(laws.cohesion, ledger),
-                        size_of<TangentialStage>(laws.tangential, ledger),
-                        size_of<RollingStage>(laws.rolling, ledger), ledger);
+    return state_layout(
+        size_of<NormalStage>(laws.normal, ledger), size_of<CohesionStage>(laws.cohesion, ledger),
+        size_of<CohesionStage>(laws.added, ledger), size_of<TangentialStage>(laws.tangential, ledger),
+        size_of<RollingStage>(laws.rolling, ledger), ledger);
 }
 
 StoredEnergy stored_energy(LawSet const& laws, StateLayout const& layout, double const* state)
@@ -29,7 +29,7 @@ StoredEnergy stored_energy(LawSet const& laws, StateLayout const& layout, double
     return {.normal = after(layout.normal + 1, laws.normal),
             .tangential = after(layout.tangential, laws.tangential),
             .rolling = after(layout.rolling, laws.rolling),
-            .cohesive = after(layout.cohesion, laws.cohesion)};
+            .cohesive = after(layout.cohesion, laws.cohesion) + after(layout.added, laws.added)};
 }
 
 } // namespace demens::contact

@@ -11,7 +11,7 @@ namespace demens::dem {
 struct alignas(64) ContactBlock
 {
     static constexpr int lanes = 32;
-    static constexpr int max_state = 24;
+    static constexpr int max_state = 28;
     using Lane = double[lanes];
 
     //! Lanes that are computed for so many contacts: whole registers.

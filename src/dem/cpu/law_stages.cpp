@@ -78,7 +78,7 @@ DEMENS_MULTIVERSION void run(ContactBlock& b, contact::CohesionStage<Law, ledger
         b.fy[l] += result.force * b.ny[l];
         b.fz[l] += result.force * b.nz[l];
         if constexpr (ledger)
-            b.lost_to_cohesion[l] = result.lost;
+            b.lost_to_cohesion[l] += result.lost;
     }
 }
 
@@ -127,6 +127,10 @@ void evaluate(ContactBlock& b, contact::LawSet const& laws, contact::StateLayout
     laws.cohesion.visit([&]<class Law>(Law const& law) {
         if constexpr (!std::is_same_v<Law, NoLaw>)
             run(b, contact::CohesionStage<Law, ledger>{law, at.cohesion, laws.share_in_limit()}, time_step);
+    });
+    laws.added.visit([&]<class Law>(Law const& law) {
+        if constexpr (!std::is_same_v<Law, NoLaw>)
+            run(b, contact::CohesionStage<Law, ledger>{law, at.added, laws.share_in_limit()}, time_step);
     });
     laws.tangential.visit([&]<class Law>(Law const& law) {
         if constexpr (!std::is_same_v<Law, NoLaw>)

@@ -17,6 +17,8 @@ namespace {
 //! What two simulations must have in common, so that one can go on where the other was.
 struct Fit
 {
+    static constexpr std::uint32_t with_added = 256; //!< beside the word of the cohesion law
+
     double time_step, skin;
     Vector3 gravity;
     std::vector<double> periods; //!< lower and upper, of x and y
@@ -38,7 +40,8 @@ struct Fit
         for (auto const& kinds : params.kinds)
             for (auto const kind :
                  {static_cast<std::uint32_t>(kinds.normal), static_cast<std::uint32_t>(kinds.tangential),
-                  static_cast<std::uint32_t>(kinds.rolling), static_cast<std::uint32_t>(kinds.cohesion)})
+                  static_cast<std::uint32_t>(kinds.rolling),
+                  static_cast<std::uint32_t>(kinds.cohesion) + (kinds.added ? with_added : 0)})
                 laws.push_back(kind);
     }
 };

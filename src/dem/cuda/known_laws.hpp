@@ -32,10 +32,12 @@ struct KnownLaws
     KnownLaw<t, contact::AnyTangential> tangential;
     KnownLaw<r, contact::AnyRolling> rolling;
     KnownLaw<c, contact::AnyCohesion> cohesion;
+    KnownLaw<0, contact::AnyAdded> added;
     double share;
 
     DEMENS_FUNCTION explicit KnownLaws(contact::LawSet const& laws)
-        : normal{laws.normal}, tangential{laws.tangential}, rolling{laws.rolling}, cohesion{laws.cohesion},
+        : normal{laws.normal},
+          tangential{laws.tangential}, rolling{laws.rolling}, cohesion{laws.cohesion}, added{laws.added},
           share(laws.share_in_limit())
     {
     }
@@ -44,12 +46,13 @@ struct KnownLaws
     static bool are(contact::LawSet const& laws)
     {
         return laws.normal.index() == n && laws.tangential.index() == t && laws.rolling.index() == r &&
-               laws.cohesion.index() == c;
+               laws.cohesion.index() == c && laws.added.index() == 0;
     }
 
     static constexpr contact::StateLayout layout = contact::state_layout(
         contact::state_size<contact::NormalStage, contact::AnyNormal::Law<n>>(false),
         contact::state_size<contact::CohesionStage, contact::AnyCohesion::Law<c>>(false),
+        contact::StateSize{},
         contact::state_size<contact::TangentialStage, contact::AnyTangential::Law<t>>(false),
         contact::state_size<contact::RollingStage, contact::AnyRolling::Law<r>>(false), false);
 };

@@ -7,6 +7,13 @@
 
 namespace demens::contact {
 
+//! Integral of 1/(1 + 1.05 s + 2.5 s^2), the force of a bridge over its scaled gap, from 0.
+DEMENS_INLINE DEMENS_FUNCTION double bridge_integral(double s)
+{
+    constexpr double root = 2.982867747654931;
+    return 2 / root * (std::atan((5 * s + 1.05) / root) - std::atan(1.05 / root));
+}
+
 //! Liquid bridge of a given volume V: F = -4 pi R* sigma cos(theta)/(1 + 1.05 S + 2.5 S^2) over the gap g
 //! with S = g sqrt(2 R*/V) (Willett et al. 2000, for unlike spheres with Derjaguin's radius 2 R*). The bridge
 //! forms at contact and ruptures at the gap (1 + theta/2) V^(1/3) (Lian et al. 1993).
@@ -41,19 +48,12 @@ class CapillaryCohesion : public LawTraits
         double const scale = std::sqrt(radius * inverse_volume_);
         double const s = scale * contact.gap;
         double const force = bridged * factor_ * radius / (1 + 1.05 * s + 2.5 * s * s);
-        double const whole = factor_ * radius / scale * bracket(scale * rupture_);
-        double const stored = factor_ * radius / scale * bracket(s) - whole - force * contact.overlap;
+        double const whole = factor_ * radius / scale * bridge_integral(scale * rupture_);
+        double const stored = factor_ * radius / scale * bridge_integral(s) - whole - force * contact.overlap;
         return {-force, bridged * stored, bridged > was ? whole : 0.0};
     }
 
   private:
-    //! Integral of 1/(1 + 1.05 s + 2.5 s^2).
-    DEMENS_INLINE DEMENS_FUNCTION static double bracket(double s)
-    {
-        constexpr double root = 2.982867747654931;
-        return 2 / root * (std::atan((5 * s + 1.05) / root) - std::atan(1.05 / root));
-    }
-
     double factor_;         //!< 4 pi sigma cos(theta) [N/m]
     double inverse_volume_; //!< 2/V [1/m^3]
     double rupture_;        //!< [m]

@@ -5,7 +5,8 @@
 
 namespace demens::contact {
 
-//! Attraction. The ledger keeps its potential [J] after the law's scalars.
+//! Attraction, or what else acts along the normal without touching. The ledger keeps its potential [J] after
+//! the law's scalars.
 template <class Law, bool ledger>
 struct CohesionStage
 {
@@ -36,7 +37,9 @@ struct CohesionStage
         store_scalars<n>(state, scalars_at, own);
         if constexpr (ledger)
             state[scalars_at + n] = response.stored;
-        double const limit = load.limit + share_in_limit * response.force;
+        // What pushes without touching presses nothing on anything.
+        double const pull = Law::may_push && response.force > 0 ? 0.0 : response.force;
+        double const limit = load.limit + share_in_limit * pull;
         return {response.force, limit > 0 ? limit : 0.0, ledger ? response.lost : 0.0};
     }
 };

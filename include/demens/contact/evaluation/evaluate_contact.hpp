@@ -60,16 +60,17 @@ struct ContactProgress
     struct Cohesion
     {
         ContactProgress& p;
+        int scalars_at;
 
         DEMENS_FUNCTION void operator()(NoLaw const&) const {}
         template <class Law>
         DEMENS_FUNCTION void operator()(Law const& law) const
         {
-            CohesionStage<Law, ledger> const stage{law, p.at.cohesion, p.laws.share_in_limit()};
+            CohesionStage<Law, ledger> const stage{law, scalars_at, p.laws.share_in_limit()};
             auto const result = stage(p.contact, p.load, p.state);
             p.load.limit = result.limit;
             p.action.force += result.force * p.contact.normal;
-            p.action.lost.cohesion = result.lost;
+            p.action.lost.cohesion += result.lost;
         }
     };
 
@@ -114,7 +115,8 @@ DEMENS_FUNCTION ContactAction act(Laws const& laws, StateLayout const& at, Conta
     using Progress = ContactProgress<ledger, Laws, State>;
     Progress progress{laws, at, contact, state};
     laws.normal.visit(typename Progress::Normal{progress});
-    laws.cohesion.visit(typename Progress::Cohesion{progress});
+    laws.cohesion.visit(typename Progress::Cohesion{progress, at.cohesion});
+    laws.added.visit(typename Progress::Cohesion{progress, at.added});
     laws.tangential.visit(typename Progress::Tangential{progress});
     laws.rolling.visit(typename Progress::Rolling{progress});
     return progress.action;

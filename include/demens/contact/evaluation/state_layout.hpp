@@ -14,10 +14,10 @@ namespace demens::contact {
 //! Where each law of a set keeps its history among the doubles of a contact: scalars first, then vectors.
 struct StateLayout
 {
-    int normal = 0, cohesion = 0, tangential = 0, rolling = 0; //!< first scalar of each
-    int tangential_vector = 0, rolling_vector = 0;             //!< first component of each
-    int scalars = 0;                                           //!< how many scalars there are
-    int size = 0;                                              //!< in all, in whole fours
+    int normal = 0, cohesion = 0, added = 0, tangential = 0, rolling = 0; //!< first scalar of each
+    int tangential_vector = 0, rolling_vector = 0;                        //!< first component of each
+    int scalars = 0;                                                      //!< how many scalars there are
+    int size = 0;                                                         //!< in all, in whole fours
     bool ledger = false; //!< room for what the energy ledger compares with the step before
 };
 StateLayout state_layout(LawSet const& laws, bool ledger);
@@ -47,8 +47,8 @@ constexpr int whole_fours(int doubles)
 }
 
 //! The layout of stages that keep so much.
-constexpr StateLayout state_layout(StateSize normal, StateSize cohesion, StateSize tangential,
-                                   StateSize rolling, bool ledger)
+constexpr StateLayout state_layout(StateSize normal, StateSize cohesion, StateSize added,
+                                   StateSize tangential, StateSize rolling, bool ledger)
 {
     StateLayout layout{.ledger = ledger};
     int next = 0;
@@ -58,6 +58,7 @@ constexpr StateLayout state_layout(StateSize normal, StateSize cohesion, StateSi
     };
     place(layout.normal, normal.scalars);
     place(layout.cohesion, cohesion.scalars);
+    place(layout.added, added.scalars);
     place(layout.tangential, tangential.scalars);
     place(layout.rolling, rolling.scalars);
     layout.scalars = next;
@@ -81,6 +82,7 @@ constexpr int most_state(bool ledger)
 {
     return whole_fours(MostState<NormalStage, AnyNormal>::with(ledger) +
                        MostState<CohesionStage, AnyCohesion>::with(ledger) +
+                       MostState<CohesionStage, AnyAdded>::with(ledger) +
                        MostState<TangentialStage, AnyTangential>::with(ledger) +
                        MostState<RollingStage, AnyRolling>::with(ledger));
 }
