@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
 
@@ -86,6 +87,11 @@ void check(Evidence const& evidence)
     need_finite("nuisance", evidence.nuisance, evidence.cells);
     if (!evidence.nuisance_prior.allFinite())
         throw InputError("`nuisance_prior` has a number that is missing");
+    for (Eigen::Index i = 0; i < n; ++i)
+        if (!std::isfinite(evidence.experiment_variance[i]))
+            throw InputError(fmt::format("cell `{}`: `experiment_variance` is not a number: give the sd of "
+                                         "the measurement",
+                                         evidence.cells[i].name));
     need_not_negative("experiment_variance", evidence.experiment_variance, evidence.cells);
     need_not_negative("surrogate_variance", evidence.surrogate_variance, evidence.cells);
     for (Eigen::Index i = 0; i < evidence.repeats.size(); ++i)
