@@ -14,6 +14,8 @@ std::unique_ptr<Engine> make_batch_engine(contact::Model const& model, Simulatio
         throw InputError(
             "the engine \"cuda\" needs a CUDA device, and there is none that this process can use; "
             "use the engine \"cpu\", or \"auto\", which takes a device where there is one");
+    if (options.surroundings.is_any())
+        throw InputError("the engine \"cuda\" knows no drag and no vibration; use the engine \"cpu\"");
     auto device = options.engine == EngineKind::cuda ? cuda::make_cuda_device() : cuda::make_host_device();
     auto batch = std::make_shared<cuda::Batch>(std::move(device), 1);
     return std::make_unique<cuda::BatchEngine>(std::move(batch), 0, model, options);

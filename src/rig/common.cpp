@@ -105,6 +105,20 @@ OptionSpecs run_options(Vector3 const& gravity)
 {
     return {
         vector("gravity_m_s2", gravity, "acceleration of gravity [m/s^2]"),
+        number("lean_x_deg", 0,
+               "the rig stands askew: gravity turned about the y axis, from -z towards +x; heights stay the "
+               "rig's "
+               "[deg]",
+               -60, 60),
+        number("lean_y_deg", 0, "... about the x axis, from -z towards +y [deg]", -60, 60),
+        number("gas_viscosity_Pa_s", 0,
+               "of a gas or liquid at rest that resists every particle (Schiller and Naumann) [Pa s]; air: "
+               "1.8e-5; 0: none",
+               0),
+        number("gas_density_kg_m3", 0, "of this gas or liquid; it bears nothing up [kg/m^3]; air: 1.2", 0),
+        vector("vibration_m_s2", {},
+               "the rig shakes: amplitude of the acceleration that particles feel, as sin(2 pi f t) [m/s^2]"),
+        number("vibration_hz", 50, "frequency f of the vibration [1/s]", 0),
         number("time_step_s", 0, "time step [s]; 0: the largest that the limits allow", 0.0),
         number("rayleigh_fraction", 0.2,
                "largest time step as a fraction of the smallest sphere's Rayleigh time [-]", 1e-6, 1.0),
@@ -115,10 +129,26 @@ OptionSpecs run_options(Vector3 const& gravity)
     };
 }
 
+Vector3 leaned(OptionValues const& options, Vector3 const& gravity)
+{
+    constexpr double degree = std::numbers::pi / 180;
+    double const x = options.number("lean_x_deg") * degree, y = options.number("lean_y_deg") * degree;
+    Vector3 g = gravity;
+    if (x != 0)
+        g = {g.x * std::cos(x) - g.z * std::sin(x), g.y, g.x * std::sin(x) + g.z * std::cos(x)};
+    if (y != 0)
+        g = {g.x, g.y * std::cos(y) - g.z * std::sin(y), g.y * std::sin(y) + g.z * std::cos(y)};
+    return g;
+}
+
 dem::SimulationOptions simulation_options(OptionValues const& options, double time_step)
 {
     return {.time_step = time_step,
-            .gravity = options.vector("gravity_m_s2"),
+            .gravity = leaned(options, options.vector("gravity_m_s2")),
+            .surroundings = {.viscosity = options.number("gas_viscosity_Pa_s"),
+                             .density = options.number("gas_density_kg_m3"),
+                             .vibration = options.vector("vibration_m_s2"),
+                             .frequency = options.number("vibration_hz")},
             .energy_ledger = options.flag("energy_ledger"),
             .closure_limit = options.number("energy_closure_limit")};
 }
@@ -170,6 +200,12 @@ double chosen_time_step(OptionValues const& options, contact::Model const& model
 
 double chosen_time_step(OptionValues const& options, TimeStepLimit const& limit)
 {
+    if (double const shaking = options.number("vibration_hz") * limit.time_step;
+        norm_squared(options.vector("vibration_m_s2")) > 0 && shaking > 0.05)
+        throw InputError(
+            fmt::format("vibration_hz = {:.4g} is too fast for the time step {:.4g} s: a period has "
+                        "only {:.3g} of them, at least 20 are needed",
+                        options.number("vibration_hz"), limit.time_step, 1 / shaking));
     double const asked = options.number("time_step_s");
     if (asked > limit.time_step * (1 + 1e-9))
         throw InputError(

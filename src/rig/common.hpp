@@ -24,6 +24,8 @@ OptionSpecs run_options(Vector3 const& gravity = gravity_on_earth);
 //! All of them, one list after another.
 OptionSpecs joined(std::initializer_list<OptionSpecs> lists);
 
+//! Gravity that the keys of `run_options` let lean, as the rig does [m/s^2].
+Vector3 leaned(OptionValues const& options, Vector3 const& gravity);
 //! What the keys of `run_options` say about the simulation.
 dem::SimulationOptions simulation_options(OptionValues const& options, double time_step);
 //! Of a rig whose heights are along z: how strong gravity is, straight down [m/s^2]. \throws InputError for

@@ -17,13 +17,14 @@ struct EnergyLedger
     double cohesive = 0; //!< in bonds, positive only between charges that push
 
     // Since the start
-    double lost_to_damping = 0;  //!< viscous and hysteretic contacts
+    double lost_to_damping = 0;  //!< viscous and hysteretic contacts, drag
     double lost_to_friction = 0; //!< sliding; the plain Mindlin law may give a little back
     double lost_to_rolling = 0;
     double lost_to_cohesion = 0; //!< bonds that form or break
-    double work_of_walls = 0;    //!< done on the particles; taking away a wall takes what its contacts hold
-    double brought_in = 0;       //!< what the particles had at the start, or when they were added
-    double turned_over = 0;      //!< most that was kinetic, elastic or lost at one time
+    double work_of_walls =
+        0; //!< done on the particles, by shaking too; taking away a wall takes what its contacts hold
+    double brought_in = 0;  //!< what the particles had at the start, or when they were added
+    double turned_over = 0; //!< most that was kinetic, elastic or lost at one time
 
     double lost() const { return lost_to_damping + lost_to_friction + lost_to_rolling + lost_to_cohesion; }
     double kinetic() const { return kinetic_translation + kinetic_rotation; }

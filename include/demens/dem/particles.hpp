@@ -26,7 +26,7 @@ struct alignas(64) Motion
     double inertia;    //!< [kg m^2]
 };
 
-//! Force and torque of the contacts at the present place; gravity is not in it.
+//! Force and torque of the contacts and surroundings at the present place; gravity is not in it.
 struct alignas(64) Load
 {
     double fx, fy, fz, unused;  //!< [N]

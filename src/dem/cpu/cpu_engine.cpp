@@ -3,6 +3,7 @@
 
 #include "demens/base/contract.hpp"
 #include "src/dem/cpu/particle_motion.hpp"
+#include "src/dem/cpu/surrounding_loads.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -131,7 +132,7 @@ void CpuEngine::begin()
             std::fill(list.state.begin(), list.state.end(), 0.0);
     rebuild_if_needed();
     std::fill(state_.particles.load.begin(), state_.particles.load.end(), Load{});
-    compute_loads();
+    compute_loads(0);
     accounts_->begin(*params_, state_);
     partition_->note_change();
 }
@@ -158,7 +159,7 @@ CpuEngine::Seen const& CpuEngine::present()
         rebuild_if_needed();
         seen.ledger = read();
         if (!state_.left_domain)
-            compute_loads();
+            compute_loads(state_.steps_done);
         seen.wall_loads = std::move(state_.wall_loads);
         state_ = std::move(kept);
         partition_->restore(shares, state_.particles);
@@ -172,7 +173,7 @@ void CpuEngine::step()
     seen_.reset();
     move_bodies();
     rebuild_if_needed();
-    compute_loads();
+    compute_loads(state_.steps_done + 1);
     ++state_.steps_done;
     partition_->note_change();
 }
@@ -262,7 +263,7 @@ double CpuEngine::update_ranges()
     return radius;
 }
 
-void CpuEngine::compute_loads()
+void CpuEngine::compute_loads(std::int64_t step)
 {
     std::fill(state_.wall_loads.begin(), state_.wall_loads.end(), WallLoad{});
     ListClock& lists = state_.lists;
@@ -274,7 +275,9 @@ void CpuEngine::compute_loads()
     compute_contacts(state_.contacts.walls, false);
     partition_->finish_exchange(state_.particles);
     compute_contacts(state_.contacts.ghosts, renews);
-    accounts_->loads_known(*params_, state_);
+    if (params_->options.surroundings.is_any())
+        add_surrounding_loads(*params_, state_, step);
+    accounts_->loads_known(*params_, state_, step);
 }
 
 void CpuEngine::compute_contacts(std::vector<ContactList>& lists, bool renews)

@@ -60,7 +60,7 @@ class CpuEngine final : public Engine
     void rebuild_if_needed();
     void search_neighbours();
     double update_ranges();
-    void compute_loads();
+    void compute_loads(std::int64_t step); //!< 0: those at the very beginning
     void compute_contacts(std::vector<ContactList>& lists, bool renews);
 
     std::shared_ptr<Params const> params_;

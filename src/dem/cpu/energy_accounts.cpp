@@ -1,6 +1,7 @@
 #include "src/dem/cpu/energy_accounts.hpp"
 
 #include "src/dem/cpu/energy_sums.hpp"
+#include "src/dem/cpu/surrounding_loads.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -16,6 +17,8 @@ class EnergyMeter final : public EnergyAccounts
     void begin(Params const& params, State& state) override
     {
         state.tally = {.loads_before = state.wall_loads, .brought_in = present_energy(params, state).gap()};
+        if (params.options.surroundings.is_any())
+            note_what_is_to_come(state, work_of_surroundings(params, state, 0));
     }
 
     void particle_added(Params const& params, State& state) override
@@ -44,9 +47,15 @@ class EnergyMeter final : public EnergyAccounts
         state.tally.work_of_walls -= stored_ - stored_energy(params, state.contacts).total();
     }
 
-    //! Work of the walls since the step before, under the mean of the loads then and now.
-    void loads_known(Params const& params, State& state) override
+    //! Work of the walls and surroundings since the step before, under the mean of the loads then and now.
+    void loads_known(Params const& params, State& state, std::int64_t step) override
     {
+        if (params.options.surroundings.is_any()) {
+            auto const work = work_of_surroundings(params, state, step);
+            state.tally.losses.damping[0] -= state.tally.drag_to_come + work.before.drag;
+            state.tally.work_of_walls += state.tally.vibration_to_come + work.before.vibration;
+            note_what_is_to_come(state, work);
+        }
         auto const& walls = state.walls.all();
         auto& before = state.tally.loads_before;
         before.resize(state.wall_loads.size());
@@ -62,6 +71,12 @@ class EnergyMeter final : public EnergyAccounts
     }
 
   private:
+    static void note_what_is_to_come(State& state, SurroundingWorks const& work)
+    {
+        state.tally.drag_to_come = work.after.drag;
+        state.tally.vibration_to_come = work.after.vibration;
+    }
+
     double potential_ = 0, stored_ = 0; //!< before a search [J]
 };
 

@@ -21,8 +21,8 @@ class EnergyAccounts
     //! Neighbours are about to be searched, and have been.
     virtual void before_search(Params const&, State const&) {}
     virtual void after_search(Params const&, State&) {}
-    //! The loads of a step are known.
-    virtual void loads_known(Params const&, State&) {}
+    //! The loads of a step are known; its number.
+    virtual void loads_known(Params const&, State&, std::int64_t) {}
 };
 
 //! With a ledger, or without one.

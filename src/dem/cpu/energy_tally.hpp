@@ -30,6 +30,7 @@ struct EnergyTally
     LossSums losses = {};
     std::vector<WallLoad> loads_before = {};                   //!< on each wall, in the step before
     double work_of_walls = 0, brought_in = 0, turned_over = 0; //!< [J]
+    double drag_to_come = 0, vibration_to_come = 0; //!< work of these loads until the next step [J]
 };
 
 } // namespace demens::dem

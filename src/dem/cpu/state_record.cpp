@@ -26,6 +26,7 @@ struct Fit
     std::string materials;           //!< names, a line each
     std::vector<std::uint32_t> laws; //!< kinds of each law set
     std::vector<std::uint32_t> interaction;
+    std::vector<double> surroundings; //!< their numbers; empty: none
 
     explicit Fit(Params const& params)
         : time_step(params.options.time_step), skin(params.options.skin),
@@ -35,6 +36,9 @@ struct Fit
                                                    params.options.periodic.y.upper},
           ledger(params.options.energy_ledger), interaction(params.interaction)
     {
+        if (auto const& around = params.options.surroundings; around.is_any())
+            surroundings = {around.viscosity,   around.density,     around.vibration.x,
+                            around.vibration.y, around.vibration.z, around.frequency};
         for (auto const& material : params.materials)
             materials += material.name + '\n';
         for (auto const& kinds : params.kinds)
@@ -54,6 +58,8 @@ void write_fit(StateRecord& record, Params const& params)
     write("fit/periods", fit.periods), write("fit/ledger", fit.ledger);
     write("fit/materials", fit.materials), write("fit/laws", fit.laws),
         write("fit/interaction", fit.interaction);
+    if (!fit.surroundings.empty())
+        write("fit/surroundings", fit.surroundings);
 }
 
 std::string in_words(bool on)
@@ -97,6 +103,9 @@ void check_fit(StateRecord const& record, Params const& params)
     check_fit(record, "fit/gravity", "gravity [m/s^2]", here.gravity);
     check_fit(record, "fit/ledger", "the energy ledger", here.ledger);
     check_same(record.get<double>("fit/periods"), here.periods, "periodic directions");
+    check_same(record.has("fit/surroundings") ? record.get<double>("fit/surroundings")
+                                              : std::vector<double>{},
+               here.surroundings, "surroundings");
     std::string materials;
     RecordReader const read(record);
     read("fit/materials", materials);
@@ -238,6 +247,14 @@ void visit_plain(Record& record, StateType& state)
     record("ledger/brought_in", tally.brought_in), record("ledger/turned_over", tally.turned_over);
 }
 
+//! There only where surroundings are.
+template <class Record, class Tally>
+void visit_surroundings(Record& record, Tally& tally)
+{
+    record("ledger/drag_to_come", tally.drag_to_come);
+    record("ledger/vibration_to_come", tally.vibration_to_come);
+}
+
 constexpr auto losses = std::array{std::pair{"ledger/lost_to_damping", &LossSums::damping},
                                    std::pair{"ledger/lost_to_friction", &LossSums::friction},
                                    std::pair{"ledger/lost_to_rolling", &LossSums::rolling},
@@ -295,6 +312,8 @@ void write_state(StateRecord& record, Params const& params, State const& state)
     write_fit(record, params);
     RecordWriter write(record);
     visit_plain(write, state);
+    if (params.options.surroundings.is_any())
+        visit_surroundings(write, state.tally);
     for (auto const& [name, sums] : losses) {
         auto const& lane = state.tally.losses.*sums;
         write(name, std::vector<double>(std::begin(lane), std::end(lane)));
@@ -313,6 +332,8 @@ State read_state(StateRecord const& record, Params const& params)
     State state;
     RecordReader read(record);
     visit_plain(read, state);
+    if (params.options.surroundings.is_any())
+        visit_surroundings(read, state.tally);
     for (auto const& [name, sums] : losses) {
         auto const lane = record.get<double>(name);
         expect_fit(lane.size() == ContactBlock::lanes, "the losses have not as many lanes as a block");

@@ -128,6 +128,10 @@ void check(Setup const& setup)
             "tilt_deg = {:.4g} needs ends = \"turning\", \"resting\" or \"frictionless\": nothing would hold "
             "the bed in a drum that goes on periodically",
             setup.options.number("tilt_deg")));
+    if (setup.ends == Ends::periodic && setup.options.number("lean_y_deg") != 0)
+        throw InputError(
+            "lean_y_deg leans a drum along its axis: nothing would hold the bed in one that goes on "
+            "periodically; give other ends or lean_x_deg");
     if (setup.ends == Ends::periodic && setup.drum.width < 2.2 * (largest + setup.skin))
         throw InputError(
             fmt::format("width_mm = {:.4g} is too narrow for periodic ends: a particle of {:.4g} mm "
@@ -218,8 +222,8 @@ double Setup::fall_time() const
 
 Vector3 Setup::gravity() const
 {
-    return tilt == 0 ? Vector3{0, 0, -drum.gravity}
-                     : drum.gravity * Vector3{0, std::sin(tilt), -std::cos(tilt)};
+    return leaned(options, tilt == 0 ? Vector3{0, 0, -drum.gravity}
+                                     : drum.gravity * Vector3{0, std::sin(tilt), -std::cos(tilt)});
 }
 
 Vector3 Setup::lowest_point() const

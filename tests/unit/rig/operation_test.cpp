@@ -1,0 +1,87 @@
+// How a rig is operated: it leans, it shakes, a gas fills it. Keys that all rigs have.
+#include "demens/base/error.hpp"
+#include "demens/rig/programme/programme.hpp"
+#include "src/rig/common.hpp"
+#include "tests/support/small_drawdown.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using namespace demens;
+using demens::testing::small_drawdown;
+
+constexpr double degree = std::numbers::pi / 180;
+
+dem::SimulationOptions built(rig::RunInput const& input)
+{
+    return rig::find_rig("drawdown")->describe(input).build().options;
+}
+
+std::string refusal(rig::RunInput const& input)
+{
+    try {
+        rig::find_rig("drawdown")->check(input);
+    } catch (InputError const& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Operation, ARigLeansInAnyDirectionAndKeepsTheStrengthOfGravity)
+{
+    for (double const x : {-7.0, 0.0, 3.0})
+        for (double const y : {-5.0, 0.0, 2.0}) {
+            auto input = small_drawdown(1);
+            input.experiment.set("lean_x_deg", x);
+            input.experiment.set("lean_y_deg", y);
+            EXPECT_EQ(refusal(input), "");
+            Vector3 const g = built(input).gravity;
+            EXPECT_NEAR(norm(g), 9.81, 1e-12);
+            EXPECT_NEAR(g.x, 9.81 * std::sin(x * degree), 1e-12);
+            EXPECT_NEAR(g.y, 9.81 * std::cos(x * degree) * std::sin(y * degree), 1e-12);
+            EXPECT_LT(g.z, -9.6);
+        }
+    EXPECT_EQ(built(small_drawdown(1)).gravity, (Vector3{0, 0, -9.81})); // without rounding
+}
+
+TEST(Operation, EveryRigHasTheKeysAndNothingOfThemByDefault)
+{
+    for (auto const& rig : rig::all_rigs()) {
+        auto const options = defaults_of(rig.options);
+        for (auto const* key : {"lean_x_deg", "lean_y_deg", "gas_viscosity_Pa_s", "gas_density_kg_m3"})
+            EXPECT_EQ(options.number(key), 0) << rig.name << " " << key;
+        EXPECT_EQ(norm(options.vector("vibration_m_s2")), 0) << rig.name;
+    }
+    EXPECT_FALSE(built(small_drawdown(1)).surroundings.is_any());
+}
+
+TEST(Operation, GasAndVibrationReachTheSimulation)
+{
+    auto input = small_drawdown(1);
+    input.experiment.set("gas_viscosity_Pa_s", 1.8e-5);
+    input.experiment.set("gas_density_kg_m3", 1.2);
+    input.experiment.set("vibration_m_s2", Vector3{0, 0, 2});
+    input.experiment.set("vibration_hz", 80.0);
+    dem::Surroundings const expected{
+        .viscosity = 1.8e-5, .density = 1.2, .vibration = {0, 0, 2}, .frequency = 80};
+    EXPECT_EQ(built(input).surroundings, expected);
+    input.engine = rig::EngineChoice::cuda_on_host;
+    auto const result = rig::find_rig("drawdown")->run(input, {});
+    EXPECT_EQ(result.status, rig::RunStatus::error);
+    EXPECT_NE(result.reason.find("gas_viscosity_Pa_s"), std::string::npos) << result.reason;
+}
+
+TEST(Operation, AVibrationThatTheTimeStepCannotFollowIsRefused)
+{
+    auto input = small_drawdown(1);
+    input.experiment.set("vibration_hz", 1e6);
+    EXPECT_EQ(refusal(input), ""); // nothing shakes
+    input.experiment.set("vibration_m_s2", Vector3{1, 0, 0});
+    EXPECT_NE(refusal(input).find("vibration_hz = 1e+06 is too fast"), std::string::npos) << refusal(input);
+}
+
+} // namespace
