@@ -19,25 +19,22 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-//! chi-square of residuals in the directions of which recalibration leaves enough.
-void test_group(LocatedGroup& group, std::vector<int> const& cells, Eigen::VectorXd const& refitted,
-                Eigen::MatrixXd const& covariance, Eigen::MatrixXd const& floor, double least_left)
+GroupTest group_test(CellGroup group, Eigen::MatrixXd const& covariance, Eigen::MatrixXd const& floor,
+                     double least_left)
 {
-    Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> const eigen(covariance(cells, cells),
-                                                                          floor(cells, cells));
-    group.chi_square = 0;
-    group.degrees_of_freedom = 0;
-    // The eigenvectors are orthonormal in the floor's metric, so that v'e has variance lambda.
-    for (Eigen::Index k = 0; k < eigen.eigenvalues().size(); ++k)
-        if (eigen.eigenvalues()[k] >= least_left) {
-            group.chi_square +=
-                std::pow(eigen.eigenvectors().col(k).dot(refitted(cells)), 2) / eigen.eigenvalues()[k];
-            ++group.degrees_of_freedom;
-        }
-    group.p = group.degrees_of_freedom > 0
-                  ? tao_calib::chi_square_p_value(group.chi_square, group.degrees_of_freedom)
-                  : not_a_number;
-    group.finding = group.degrees_of_freedom > 0 ? Finding::within_floor : Finding::not_testable;
+    Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> const eigen(
+        covariance(group.cells, group.cells), floor(group.cells, group.cells));
+    // The eigenvectors are orthonormal in the floor's metric, so that v'e has variance lambda; ascending.
+    Eigen::Index const left = (eigen.eigenvalues().array() >= least_left).count();
+    Eigen::MatrixXd const directions =
+        eigen.eigenvalues().tail(left).cwiseSqrt().cwiseInverse().asDiagonal() *
+        eigen.eigenvectors().rightCols(left).transpose();
+    return {std::move(group), directions};
+}
+
+double chi_square(GroupTest const& test, Eigen::VectorXd const& refitted)
+{
+    return (test.directions * refitted(test.group.cells)).squaredNorm();
 }
 
 //! Rejects among those that have a p value.
@@ -74,12 +71,11 @@ char const* words(Finding finding)
 
 Locator::Locator(Evidence const& evidence, Projection const& projection, std::vector<CellGroup> groups,
                  LocateOptions const& options)
-    : projection_(projection), groups_(std::move(groups)), options_(options),
-      covariance_(refitted_covariance(projection)),
+    : projection_(projection), options_(options), covariance_(refitted_covariance(projection)),
       precision_(projection.solve(Eigen::MatrixXd::Identity(projection.size(), projection.size())))
 {
     std::vector<bool> grouped(evidence.cells.size(), false);
-    for (auto const& group : groups_) {
+    for (auto const& group : groups) {
         if (group.cells.empty())
             throw InputError(fmt::format("group `{}` has no cell", group.name));
         for (int cell : group.cells) {
@@ -94,7 +90,9 @@ Locator::Locator(Evidence const& evidence, Projection const& projection, std::ve
         if (!grouped[i])
             others.cells.push_back(i);
     if (!others.cells.empty())
-        groups_.push_back(std::move(others));
+        groups.push_back(std::move(others));
+    for (auto& group : groups)
+        groups_.push_back(group_test(std::move(group), covariance_, projection.floor(), options_.least_left));
 
     if (options_.twins < 1)
         throw InputError(fmt::format("`twins` is {}: without twins there is nothing to compare with, 500 "
@@ -102,7 +100,7 @@ Locator::Locator(Evidence const& evidence, Projection const& projection, std::ve
                                      options_.twins));
     Twins const twins(evidence, projection.floor(), options_.seed);
     for (int i = 0; i < options_.twins; ++i) {
-        Eigen::VectorXd const t = sigmas(twins.base(i));
+        Eigen::VectorXd const t = sigmas(projection_.floor() * projection_.solve(twins.base(i)));
         double largest = 0;
         for (double value : t)
             largest = std::max(largest, std::isnan(value) ? 0 : std::abs(value));
@@ -111,9 +109,26 @@ Locator::Locator(Evidence const& evidence, Projection const& projection, std::ve
     std::sort(null_.begin(), null_.end());
 }
 
-Eigen::VectorXd Locator::sigmas(Eigen::VectorXd const& residual) const
+double Locator::smallest_p(Eigen::VectorXd const& residual) const
 {
-    Eigen::VectorXd t = projection_.floor() * projection_.solve(residual);
+    Eigen::VectorXd const solved = projection_.solve(residual);
+    Eigen::VectorXd const refitted = projection_.floor() * solved;
+    double smallest =
+        tao_calib::chi_square_p_value(residual.dot(solved), static_cast<double>(residual.size()));
+    for (double t : sigmas(refitted))
+        if (!std::isnan(t))
+            smallest = std::min(smallest, two_sided_p_value(t));
+    for (auto const& test : groups_)
+        if (test.directions.rows() > 0)
+            smallest = std::min(smallest,
+                                tao_calib::chi_square_p_value(chi_square(test, refitted),
+                                                              static_cast<double>(test.directions.rows())));
+    return smallest;
+}
+
+Eigen::VectorXd Locator::sigmas(Eigen::VectorXd const& refitted) const
+{
+    Eigen::VectorXd t = refitted;
     for (Eigen::Index j = 0; j < t.size(); ++j)
         t[j] = covariance_(j, j) < options_.least_left * projection_.floor()(j, j)
                    ? not_a_number
@@ -124,7 +139,7 @@ Eigen::VectorXd Locator::sigmas(Eigen::VectorXd const& residual) const
 Located Locator::locate(Eigen::VectorXd const& residual) const
 {
     Eigen::VectorXd const solved = projection_.solve(residual);
-    Eigen::VectorXd const refitted = projection_.floor() * solved, t = sigmas(residual);
+    Eigen::VectorXd const refitted = projection_.floor() * solved, t = sigmas(refitted);
     Located found{};
     for (Eigen::Index j = 0; j < t.size(); ++j) {
         double const floor = projection_.floor()(j, j);
@@ -135,10 +150,16 @@ Located Locator::locate(Eigen::VectorXd const& residual) const
         if (testable)
             found.largest = std::max(found.largest, std::abs(t[j]));
     }
-    for (auto const& group : groups_) {
+    for (auto const& test : groups_) {
+        auto const& group = test.group;
         LocatedGroup tested{};
         tested.name = group.name;
-        test_group(tested, group.cells, refitted, covariance_, projection_.floor(), options_.least_left);
+        tested.chi_square = chi_square(test, refitted);
+        tested.degrees_of_freedom = static_cast<int>(test.directions.rows());
+        bool const testable = tested.degrees_of_freedom > 0;
+        tested.p = testable ? tao_calib::chi_square_p_value(tested.chi_square, tested.degrees_of_freedom)
+                            : not_a_number;
+        tested.finding = testable ? Finding::within_floor : Finding::not_testable;
         // Conditional distribution of some of a normal vector's elements, by its precision.
         Eigen::LLT<Eigen::MatrixXd> const own(precision_(group.cells, group.cells));
         Eigen::VectorXd const of_group = solved(group.cells);
@@ -159,7 +180,7 @@ Located Locator::locate(Eigen::VectorXd const& residual) const
         for (std::size_t i = 0; i < groups.size(); ++i)
             if (groups[i]->finding == Finding::beyond_floor) {
                 std::vector<LocatedCell*> cells;
-                for (int cell : groups_[i].cells)
+                for (int cell : groups_[i].group.cells)
                     cells.push_back(&found.cells[cell]);
                 mark(cells, options_.level);
             }

@@ -56,6 +56,14 @@ struct Located
     bool beyond_floor() const { return largest > critical; }
 };
 
+//! A part of the residuals that is tested as a whole: directions * e is N(0, I) where the base model is
+//! right.
+struct GroupTest
+{
+    CellGroup group;
+    Eigen::MatrixXd directions; //!< of which recalibration leaves enough [degrees of freedom x cells]
+};
+
 //! What locating needs of the evidence but for the residuals, made once: the distribution of max |t| by
 //! twins.
 class Locator
@@ -69,11 +77,14 @@ class Locator
     //! are in none. \param residual y - m0 [n]
     Located locate(Eigen::VectorXd const& residual) const;
 
+    //! The smallest p value of all cells, all groups, and all cells together, each for itself.
+    double smallest_p(Eigen::VectorXd const& residual) const;
+
   private:
-    Eigen::VectorXd sigmas(Eigen::VectorXd const& residual) const;
+    Eigen::VectorXd sigmas(Eigen::VectorXd const& refitted) const;
 
     Projection const& projection_;
-    std::vector<CellGroup> groups_;
+    std::vector<GroupTest> groups_;
     LocateOptions options_;
     Eigen::MatrixXd covariance_; //!< V
     Eigen::MatrixXd precision_;  //!< C^-1
