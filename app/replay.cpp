@@ -98,8 +98,8 @@ int replay(ReplayOptions const& options)
     auto const campaign = ensemble::read_campaign_file(options.file);
     auto const stored = record_of(campaign, options);
     auto const& experiment = campaign.input.experiments.at(static_cast<std::size_t>(stored.experiment));
-    auto const input =
-        campaign.input.run_input(stored.factors, stored.point, stored.experiment, stored.replicate);
+    auto const input = campaign.input.run_input(stored.factors, stored.point, stored.experiment,
+                                                stored.replicate, stored.overrides());
 
     std::optional<ReplayTeam> team;
     if (campaign.input.run.ranks_per_group > 1)

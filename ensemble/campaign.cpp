@@ -9,7 +9,8 @@ std::vector<Word<ensemble::WavePurpose>> const& words_of()
 {
     using enum ensemble::WavePurpose;
     static std::vector<Word<ensemble::WavePurpose>> const words = {
-        {screening, "screening"}, {design, "design"}, {search, "search"}, {confirmation, "confirmation"}};
+        {screening, "screening"},       {design, "design"},         {search, "search"},
+        {confirmation, "confirmation"}, {signatures, "signatures"}, {closure, "closure"}};
     return words;
 }
 

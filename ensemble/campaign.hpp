@@ -3,6 +3,7 @@
 #include "ensemble/input/campaign_input.hpp"
 #include "ensemble/stored_arrays.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,9 @@ struct RunRecord
     int replicate = 0;
     std::uint64_t seed = 0;
     std::vector<double> factors; //!< own units, in the order of CampaignInput::factors
-    double predicted_cost = 0;   //!< [particle steps]
+    std::shared_ptr<std::vector<Effect> const> effects = {}; //!< of its wave; null where it has none
+    std::vector<double> amplitudes = {};                     //!< of each of them
+    double predicted_cost = 0;                               //!< [particle steps]
 
     rig::RunStatus status = rig::RunStatus::not_run;
     std::string reason;
@@ -31,6 +34,12 @@ struct RunRecord
     std::int64_t steps = 0;
     std::int64_t particles = 0;
     std::optional<dem::EnergyLedger> energy = {}; //!< at the end, of a run with the ledger
+
+    //! What is changed in it beside the factors.
+    std::vector<Override> overrides() const
+    {
+        return effects ? overrides_of(*effects, amplitudes) : std::vector<Override>{};
+    }
 };
 
 //! Snapshots (e.g. "settled", "final"; without velocities), series and profiles of one run.
@@ -54,11 +63,19 @@ struct NamedArray
 //! What the runs of a wave are for.
 enum class WavePurpose
 {
-    screening,   //!< which factors act
-    design,      //!< the first look at all of the range
-    search,      //!< the way to the optimum
-    confirmation //!< the best location again, with fresh packings
+    screening,    //!< which factors act
+    design,       //!< the first look at all of the range
+    search,       //!< the way to the optimum
+    confirmation, //!< the best location again, with fresh packings
+    signatures,   //!< what effects that the model may lack would change
+    closure       //!< what the candidates predict where nothing was fitted
 };
+
+//! Whether the factors are fitted to the runs of such a wave.
+constexpr bool calibrates(WavePurpose purpose)
+{
+    return purpose != WavePurpose::signatures && purpose != WavePurpose::closure;
+}
 
 //! Runs that were planned together, and what the calibration made of all runs up to them.
 struct Wave
@@ -66,12 +83,24 @@ struct Wave
     int number = 0;
     WavePurpose purpose = WavePurpose::design;
     std::vector<RunRecord> runs;
+    int replicates = 0; //!< of each of its experiments; 0: as the campaign says
     std::vector<NamedArray> analysis;
     double wall_time = 0; //!< [s]
     int groups = 0;
 
     //! The stored array of that name, or null.
     NamedArray const* find(stored::ArrayName const& name) const;
+};
+
+//! A wave that is to be simulated.
+struct WavePlan
+{
+    WavePurpose purpose = WavePurpose::design;
+    std::vector<std::vector<double>> points;          //!< design points, own units
+    std::vector<Effect> effects = {};                 //!< that act beside the factors
+    std::vector<std::vector<double>> amplitudes = {}; //!< of them [points x effects]
+    std::vector<int> experiments = {};                //!< in their order; empty: all that calibrate
+    int replicates = 0;                               //!< of each experiment; 0: as the campaign says
 };
 
 //! All of a campaign that later decisions rest on.

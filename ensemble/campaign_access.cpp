@@ -21,7 +21,7 @@ void create_campaign_file(std::filesystem::path const& path, CampaignInput const
     write_header(file, input);
     if (first_wave) {
         RowWriter writer(file);
-        write_plan(writer, plan_runs({input, {}, {}}, first_wave->purpose, first_wave->points), input);
+        write_plan(writer, plan_runs({input, {}, {}}, *first_wave), input);
     }
     Parts(path).remove(); // of a campaign file that is no more
     write_durably(path, file.take_image());

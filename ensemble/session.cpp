@@ -142,11 +142,16 @@ int Session::groups() const
 
 void Session::plan_wave(WavePurpose purpose, std::vector<std::vector<double>> const& points)
 {
+    plan_wave({.purpose = purpose, .points = points});
+}
+
+void Session::plan_wave(WavePlan const& plan)
+{
     auto& self = *implementation_;
     auto& campaign = *self.campaign;
     assert(campaign.waves.empty() || is_complete(campaign.waves.back()));
     on_root(self.communicator, [&] {
-        auto wave = plan_runs(campaign, purpose, points);
+        auto wave = plan_runs(campaign, plan);
         if (wave.runs.empty())
             throw InputError("a wave needs at least one design point");
         update_file(self.file, small_change + 256 * wave.runs.size(), [&](hid_t file) {

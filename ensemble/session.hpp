@@ -38,8 +38,9 @@ class Session
     //! Number of groups that simulate at a time.
     int groups() const;
 
-    //! Adds a wave: all experiments and replicates at each design point (own units). The plan is in the file
-    //! when this returns. The arguments of rank 0 count.
+    //! Adds a wave. The plan is in the file when this returns. The arguments of rank 0 count.
+    void plan_wave(WavePlan const& plan);
+    //! The same with all experiments that calibrate and their replicates at each design point (own units).
     void plan_wave(WavePurpose purpose, std::vector<std::vector<double>> const& points);
     //! Runs what the last wave still lacks, longest predicted run first, and gathers it into the file.
     WaveEnd run_wave();
@@ -51,13 +52,6 @@ class Session
   private:
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
-};
-
-//! A wave that is to be simulated.
-struct WavePlan
-{
-    WavePurpose purpose;
-    std::vector<std::vector<double>> points; //!< design points, own units
 };
 
 //! Writes a new campaign file, with the plan of its first wave where that is given. \throws InputError when

@@ -177,7 +177,9 @@ void require_numbers(Campaign const& campaign)
         int next_point = points_before;
         for (auto const& run : wave.runs) {
             auto const replicates =
-                campaign.input.experiments.at(static_cast<std::size_t>(run.experiment)).replicates;
+                wave.replicates > 0
+                    ? wave.replicates
+                    : campaign.input.experiments.at(static_cast<std::size_t>(run.experiment)).replicates;
             if (run.run != next_run)
                 throw FileError(fmt::format("{}/runs/run: {} stands where run {} should",
                                             wave_path(wave.number), run.run, next_run));

@@ -75,7 +75,8 @@ FinishedRun Parts::load(RunRecord const& plan, CampaignInput const& input,
     auto const file = hdf5::open_in_memory(image);
     auto const wave = read_wave(file, plan.wave, input);
     auto const& record = wave.runs.at(0);
-    if (record.run != plan.run || record.seed != plan.seed || record.factors != plan.factors)
+    if (record.run != plan.run || record.seed != plan.seed || record.factors != plan.factors ||
+        record.amplitudes != plan.amplitudes)
         throw FileError(fmt::format("{}: belongs to another campaign", path.string()));
     FinishedRun run{record,
                     read_details(file, plan.wave, 0,

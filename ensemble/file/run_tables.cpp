@@ -80,13 +80,13 @@ hdf5::Meaning number(std::string doc)
     return {{"1"}, {}, std::move(doc)};
 }
 //! One row per design point of these runs, which are ordered by point.
-std::vector<double> design_rows(std::vector<RunRecord> const& runs)
+std::vector<double> rows_of(std::vector<double> RunRecord::*member, std::vector<RunRecord> const& runs)
 {
     std::vector<double> rows;
     int last_point = -1;
     for (auto const& run : runs) {
         if (run.point != last_point)
-            rows.insert(rows.end(), run.factors.begin(), run.factors.end());
+            rows.insert(rows.end(), (run.*member).begin(), (run.*member).end());
         last_point = run.point;
     }
     return rows;
@@ -140,6 +140,51 @@ void read_energy(hid_t file, std::string const& path, std::vector<RunRecord>& ru
             energy.*entry.value = *value++;
         if (!std::isnan(energy.turned_over))
             run.energy = energy;
+    }
+}
+
+//! The effects of a wave, and a row of their amplitudes for each design point.
+void write_effects(RowWriter& writer, Wave const& wave)
+{
+    auto const base = wave_path(wave.number);
+    if (wave.replicates > 0)
+        writer.set_attribute(base, "replicates", static_cast<std::int64_t>(wave.replicates));
+    if (wave.runs.empty() || !wave.runs.front().effects)
+        return;
+    auto const& effects = *wave.runs.front().effects;
+    writer.set_attribute(base, "effects", toml_text(effects));
+    hdf5::Meaning meaning{{"1"}, {}, "amplitudes of the effects, one row for each design point"};
+    for (auto const& effect : effects)
+        meaning.columns.push_back(effect.name);
+    writer.write(base + "/amplitudes", rows_of(&RunRecord::amplitudes, wave.runs), meaning, effects.size());
+}
+
+//! Effects and amplitudes of the runs, whose points are known. \throws FileError
+void read_effects(hid_t file, Wave& wave, CampaignInput const& input, std::int64_t first_point,
+                  std::size_t points)
+{
+    auto const base = wave_path(wave.number);
+    if (hdf5::has_attribute(file, base, "replicates"))
+        wave.replicates = static_cast<int>(hdf5::integer_attribute(file, base, "replicates"));
+    if (!hdf5::has_attribute(file, base, "effects"))
+        return;
+    std::shared_ptr<std::vector<Effect> const> effects;
+    try {
+        effects = std::make_shared<std::vector<Effect> const>(
+            input.effects_of(hdf5::text_attribute(file, base, "effects"), base));
+    } catch (InputError const& error) {
+        throw FileError(fmt::format("{}: effects: {}", base, error.what()));
+    }
+    auto const width = effects->size();
+    auto const rows = hdf5::read<double>(file, base + "/amplitudes", {points, width});
+    for (auto& run : wave.runs) {
+        auto const row = rows.begin() + static_cast<std::ptrdiff_t>((run.point - first_point) *
+                                                                    static_cast<std::int64_t>(width));
+        run.effects = effects;
+        run.amplitudes.assign(row, row + static_cast<std::ptrdiff_t>(width));
+        if (!std::all_of(run.amplitudes.begin(), run.amplitudes.end(),
+                         [](double value) { return std::isfinite(value); }))
+            throw FileError(fmt::format("{}/amplitudes: point {} is not a number", base, run.point));
     }
 }
 
@@ -266,7 +311,7 @@ std::vector<NamedArray> read_analysis(hid_t file, Wave const& wave, CampaignInpu
     auto const base = wave_path(wave.number);
     std::vector<std::string> paths;
     for (auto const& name : hdf5::children(file, base))
-        if (name != "design" && name != "runs" && name != "responses")
+        if (name != "design" && name != "amplitudes" && name != "runs" && name != "responses")
             list_datasets(file, base + "/" + name, name + "/", paths);
     std::vector<NamedArray> arrays;
     for (auto const& path : paths) {
@@ -304,10 +349,12 @@ void write_plan(RowWriter& writer, Wave const& wave, CampaignInput const& input)
         {"as in the factor's name"}, {}, "design points, one row each, factors in their own units"};
     for (auto const& factor : input.factors)
         design.columns.push_back(factor.name);
-    writer.write(base + "/design", design_rows(wave.runs), design,
+    writer.write(base + "/design", rows_of(&RunRecord::factors, wave.runs), design,
                  std::max<std::size_t>(1, input.factors.size()));
     auto const first_point = wave.runs.empty() ? 0 : wave.runs.front().point;
     writer.set_attribute(base + "/design", "first_point", static_cast<std::int64_t>(first_point));
+
+    write_effects(writer, wave);
 
     auto const table = base + "/runs/";
     auto const& runs = wave.runs;
@@ -381,6 +428,7 @@ Wave read_wave(hid_t file, int number, CampaignInput const& input)
                          [](double value) { return std::isfinite(value); }))
             throw FileError(fmt::format("{}/design: point {} is not a number", base, run.point));
     }
+    read_effects(file, wave, input, first_point, points);
     if (hdf5::exists(file, table + "status"))
         read_results(file, wave, input);
     wave.analysis = read_analysis(file, wave, input);

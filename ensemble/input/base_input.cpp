@@ -4,7 +4,8 @@ namespace demens::ensemble::input {
 
 namespace {
 
-OptionValues& table_of(BaseInput& base, ScalarPlace const& place)
+template <class Base> // const or not
+auto& table_of(Base& base, ScalarPlace const& place)
 {
     switch (place.table) {
     case ScalarPlace::Table::material:
@@ -22,7 +23,16 @@ OptionValues& table_of(BaseInput& base, ScalarPlace const& place)
 
 } // namespace
 
-void BaseInput::set(ScalarPlace const& place, double value)
+OptionValue BaseInput::value(ScalarPlace const& place) const
+{
+    auto const& table = table_of(*this, place);
+    if (place.component < 0)
+        return table.all().at(place.key);
+    auto const& vector = table.vector(place.key);
+    return place.component == 0 ? vector.x : place.component == 1 ? vector.y : vector.z;
+}
+
+void BaseInput::set(ScalarPlace const& place, OptionValue const& value)
 {
     auto& table = table_of(*this, place);
     if (place.component < 0) {
@@ -30,7 +40,7 @@ void BaseInput::set(ScalarPlace const& place, double value)
         return;
     }
     auto vector = table.vector(place.key);
-    (place.component == 0 ? vector.x : place.component == 1 ? vector.y : vector.z) = value;
+    (place.component == 0 ? vector.x : place.component == 1 ? vector.y : vector.z) = std::get<double>(value);
     table.set(place.key, vector);
 }
 
@@ -61,6 +71,11 @@ rig::RunInput make_run_input(BaseInput base, std::vector<double> const& factor_v
                              std::uint64_t seed)
 {
     set_factors(base, factor_values);
+    return make_run_input(base, experiment, seed);
+}
+
+rig::RunInput make_run_input(BaseInput const& base, int experiment, std::uint64_t seed)
+{
     rig::RunInput input;
     for (auto const& material : base.materials)
         input.model.materials.push_back(contact::make_material(material.name, material.values));

@@ -63,7 +63,9 @@ struct BaseInput
     rig::Files files; //!< that the experiments name
     rig::EngineChoice engine = rig::EngineChoice::cpu;
 
-    void set(ScalarPlace const& place, double value);
+    OptionValue value(ScalarPlace const& place) const;
+    //! \param value a number where the place is a component of a vector
+    void set(ScalarPlace const& place, OptionValue const& value);
     std::vector<std::string> material_names() const;
     std::vector<std::string> size_distribution_names() const;
 };
@@ -98,6 +100,8 @@ struct ResolvedPath
 };
 ResolvedPath resolve_path(std::string const& path, BaseInput const& base,
                           std::vector<Experiment> const& experiments);
+//! Where experiments name a material.
+std::vector<NamedMaterial> named_materials(BaseInput const& base, std::vector<Experiment> const& experiments);
 //! All paths that a factor may have.
 std::vector<std::string> all_paths(BaseInput const& base, std::vector<Experiment> const& experiments);
 
@@ -105,7 +109,9 @@ std::vector<std::string> all_paths(BaseInput const& base, std::vector<Experiment
 shape::SizeDistribution make_size_distribution(SizeTable const& table);
 //! Puts factor values in the place of the base values.
 void set_factors(BaseInput& base, std::vector<double> const& factor_values);
-//! The run's input with factor values in place of the base values.
+//! The input of a run as the base values say.
+rig::RunInput make_run_input(BaseInput const& base, int experiment, std::uint64_t seed);
+//! The same with factor values in their place.
 rig::RunInput make_run_input(BaseInput base, std::vector<double> const& factor_values, int experiment,
                              std::uint64_t seed);
 

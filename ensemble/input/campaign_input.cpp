@@ -2,6 +2,8 @@
 
 #include "ensemble/input/base_input.hpp"
 #include "ensemble/input/design_table.hpp"
+#include "ensemble/input/effects.hpp"
+#include "ensemble/input/gap_input.hpp"
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/nearest.hpp"
 #include "ensemble/input/objective_input.hpp"
@@ -42,7 +44,7 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     input::InputTable const file(parsed, "", origin);
     file.allow_only({"campaign", "material", "contact", "size_distribution", "experiment", "factor",
                      "constraint", "screening", "design", "objective", "surrogate", "search", "solver",
-                     "stop", "run"});
+                     "stop", "run", "gap", "effect"});
 
     CampaignInput campaign;
     auto const header = file.table("campaign").read(input::campaign_options());
@@ -73,6 +75,10 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     read_section(file.table("stop"), {}, campaign.stop);
     read_section(file.table("run"), {}, campaign.run);
     tree->engine = campaign.run.engine;
+
+    campaign.effects = input::read_effects(file, *tree, campaign.experiments);
+    if (file.has("gap"))
+        campaign.gap = input::read_gap(file.table("gap"), campaign.experiments);
 
     input::check_sections(file, campaign);
     input::check_rigs(campaign, *tree, experiment_tables);
@@ -124,13 +130,42 @@ rig::Files const& CampaignInput::files() const
 }
 
 rig::RunInput CampaignInput::run_input(std::vector<double> const& factor_values, int point, int experiment,
-                                       int replicate) const
+                                       int replicate, std::vector<Override> const& overrides) const
 {
-    auto run =
-        input::make_run_input(*tree_, factor_values, experiment, run_seed(point, experiment, replicate));
+    input::BaseInput base = *tree_;
+    input::set_factors(base, factor_values);
+    input::apply(overrides, base, experiments);
+    auto run = input::make_run_input(base, experiment, run_seed(point, experiment, replicate));
     if (auto const& check = experiments.at(static_cast<std::size_t>(experiment)).rig->check)
         check(run);
     return run;
+}
+
+std::optional<OptionValue> CampaignInput::base_value(std::string const& path) const
+{
+    auto const resolved = input::resolve_path(path, *tree_, experiments);
+    if (resolved.places.empty())
+        return std::nullopt;
+    return tree_->value(resolved.places.front());
+}
+
+std::vector<NamedMaterial> CampaignInput::named_materials() const
+{
+    return input::named_materials(*tree_, experiments);
+}
+
+std::vector<std::pair<std::string, std::string>> CampaignInput::pairs() const
+{
+    std::vector<std::pair<std::string, std::string>> names;
+    for (auto const& pair : tree_->pairs)
+        names.emplace_back(pair.first, pair.second);
+    return names;
+}
+
+std::vector<Effect> CampaignInput::effects_of(std::string const& text, std::string const& origin) const
+{
+    auto const parsed = input::parse_toml(text, origin);
+    return input::read_effects(input::InputTable(parsed, "", origin), *tree_, experiments);
 }
 
 std::uint64_t CampaignInput::run_seed(int point, int experiment, int replicate) const

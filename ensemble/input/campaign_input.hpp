@@ -2,6 +2,7 @@
 
 #include "demens/rig/rig.hpp"
 #include "ensemble/curve/curve_target.hpp"
+#include "ensemble/effect.hpp"
 #include "ensemble/input/file_source.hpp"
 #include "ensemble/input/kinds.hpp"
 #include "ensemble/picture/picture_target.hpp"
@@ -37,6 +38,13 @@ struct Target
     TargetSource comes_of = TargetSource::value;
 };
 
+//! What an experiment is for.
+enum class ExperimentRole
+{
+    calibrate, //!< the factors are fitted to its targets
+    hold_out   //!< it takes no part in that; a diagnosis is tested on it
+};
+
 //! One rig under one set of conditions, with what was measured there.
 struct Experiment
 {
@@ -47,6 +55,16 @@ struct Experiment
     std::vector<Target> targets;
     std::vector<CurveTarget> curves = {};      //!< measured; each of their windows is a target
     std::optional<PictureTarget> picture = {}; //!< photographed; each of its segments is a target
+    ExperimentRole role = ExperimentRole::calibrate;
+    std::vector<Target> held_out = {}; //!< instead of `targets` where the role is to be held out
+};
+
+//! A key of an experiment that names a material.
+struct NamedMaterial
+{
+    int experiment;
+    std::string key; //!< path in the experiment, e.g. `wall_material` or `wall.floor.material`
+    std::string material;
 };
 
 //! A scalar of the resolved input that is to be found.
@@ -143,6 +161,20 @@ struct RunOptions
     rig::EngineChoice engine = rig::EngineChoice::cpu;
 };
 
+//! `[gap]`: what is diagnosed once the campaign is calibrated.
+struct GapOptions
+{
+    std::vector<std::string> held_out; //!< names of experiments
+    std::vector<std::string> effects;  //!< of the catalogue or of the campaign; empty: all that it allows
+    double form_floor = 0.04;   //!< share of a response that the right model would miss, its laws being forms
+    double form_error = 0.2;    //!< share of an effect's signature that another form of its law would change
+    int packings = 6;           //!< runs of the base model and of a full signature, each with its own packing
+    int screening_packings = 2; //!< runs of each effect in the first look
+    int effects_in_full = 3;    //!< effects whose signatures are simulated in full, the most probable ones
+    int runs = 2000;            //!< most runs of the diagnosis
+    double named_from = 0.8;    //!< probability from which on an effect is named
+};
+
 //! What `rig = "..."` in a campaign may name.
 using Rigs = std::vector<rig::RigInfo>;
 
@@ -181,6 +213,8 @@ class CampaignInput
     SolverOptions solver;
     StopOptions stop;
     RunOptions run;
+    std::optional<GapOptions> gap; //!< where it is asked for
+    std::vector<Effect> effects;   //!< the campaign's own, beside the catalogue's
 
     //! Puts a number in the place of the one that the input has there; its text stays as it was written.
     //! \param path as a factor's \throws InputError where it names no number, or one that may not have this
@@ -202,8 +236,17 @@ class CampaignInput
 
     //! Input of one run: factor values set at their paths, the seed derived from (campaign seed, point,
     //! experiment, replicate). \throws InputError when the values make an input that a rig refuses.
+    //! \param overrides what effects change, once the factors are set
     rig::RunInput run_input(std::vector<double> const& factor_values, int point, int experiment,
-                            int replicate) const;
+                            int replicate, std::vector<Override> const& overrides = {}) const;
+    //! The base value at a path, of the first place that it names; none where it names nothing.
+    std::optional<OptionValue> base_value(std::string const& path) const;
+    //! Where experiments name a material.
+    std::vector<NamedMaterial> named_materials() const;
+    //! Names of the pairs of materials that have a table `[contact.A_B]`.
+    std::vector<std::pair<std::string, std::string>> pairs() const;
+    //! Reads `[[effect]]` of this campaign. \param origin the text's place in messages \throws InputError
+    std::vector<Effect> effects_of(std::string const& text, std::string const& origin) const;
     //! The seed of a run; the same replicate of every design point has its own packing.
     std::uint64_t run_seed(int point, int experiment, int replicate) const;
 

@@ -34,12 +34,16 @@ std::vector<OptionSpec> const& curve_window_options();
 std::vector<OptionSpec> const& picture_options();
 std::vector<OptionSpec> const& factor_options();
 std::vector<OptionSpec> const& constraint_options();
+std::vector<OptionSpec> const& effect_options();
+std::vector<OptionSpec> const& effect_setting_options();
 std::vector<ListSpec> const& size_distribution_lists();
 std::vector<ListSpec> const& picture_lists();
 std::vector<ListSpec> const& factor_lists();
 std::vector<ListSpec> const& screening_lists();
 std::vector<ListSpec> const& objective_lists();
 std::vector<ListSpec> const& design_lists();
+std::vector<ListSpec> const& gap_lists();
+std::vector<ListSpec> const& effect_lists();
 
 //! Kinds of design that use a key of `[design]`; none: all kinds.
 std::vector<DesignKind> design_kinds_using(std::string const& key);

@@ -132,6 +132,20 @@ ResolvedPath resolve_path(std::string const& path, BaseInput const& base,
     return resolved;
 }
 
+std::vector<NamedMaterial> named_materials(BaseInput const& base, std::vector<Experiment> const& experiments)
+{
+    std::vector<NamedMaterial> named;
+    for (std::size_t e = 0; e < experiments.size(); ++e)
+        for_each_number(base, experiments, e, [&](auto const& inside, auto const& place, auto const& spec) {
+            if (spec.names_entry_of != "material")
+                return;
+            auto const material = std::get<std::string>(base.value(place));
+            if (!material.empty())
+                named.push_back({static_cast<int>(e), inside, material});
+        });
+    return named;
+}
+
 std::vector<std::string> all_paths(BaseInput const& base, std::vector<Experiment> const& experiments)
 {
     std::vector<std::string> paths;

@@ -73,6 +73,7 @@ class Writer
         heading("[" + name + "]");
         options(specs_of<Section>(), values_of(section));
     }
+    void plain(std::string const& text) { text_ += text; }
     std::string const& text() const { return text_; }
 
   private:
@@ -145,7 +146,8 @@ void write_experiment(Writer& out, Experiment const& experiment, OptionValues co
     header.set("replicates", std::int64_t{experiment.replicates});
     out.options(experiment_options(), header);
     out.options(experiment.rig->options, rig_values);
-    for (auto const& target : experiment.targets) {
+    bool const is_held_out = experiment.role == ExperimentRole::hold_out;
+    for (auto const& target : is_held_out ? experiment.held_out : experiment.targets) {
         if (target.comes_of != TargetSource::value)
             continue; // stands with its curve or picture
         OptionValues values;
@@ -216,6 +218,17 @@ void write_objective(Writer& out, ObjectiveOptions const& objective)
         out.lists(objective_lists(), {{"combinations", list(objective.combinations, text)}});
 }
 
+void write_gap(Writer& out, GapOptions const& gap)
+{
+    out.section("gap", gap);
+    std::map<std::string, std::string> lists;
+    if (!gap.held_out.empty())
+        lists["held_out"] = list(gap.held_out, quoted);
+    if (!gap.effects.empty())
+        lists["effects"] = list(gap.effects, quoted);
+    out.lists(gap_lists(), lists);
+}
+
 } // namespace
 
 std::string resolved_text(CampaignInput const& input, BaseInput const& base)
@@ -245,6 +258,9 @@ std::string resolved_text(CampaignInput const& input, BaseInput const& base)
     out.section("solver", input.solver);
     out.section("stop", input.stop);
     out.section("run", input.run);
+    if (input.gap)
+        write_gap(out, *input.gap);
+    out.plain(toml_text(input.effects));
     return out.text();
 }
 

@@ -38,6 +38,8 @@ template <>
 std::vector<Field<StopOptions>> const& fields_of();
 template <>
 std::vector<Field<RunOptions>> const& fields_of();
+template <>
+std::vector<Field<GapOptions>> const& fields_of();
 
 //! A key of a section; its default is the one that the struct has, its choices are the words of its enum.
 template <class Section, class Value>

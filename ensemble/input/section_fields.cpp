@@ -135,4 +135,42 @@ std::vector<Field<RunOptions>> const& fields_of()
     return fields;
 }
 
+template <>
+std::vector<Field<GapOptions>> const& fields_of()
+{
+    static std::vector<Field<GapOptions>> const fields = {
+        field(
+            &GapOptions::form_floor,
+            {.key = "form_floor",
+             .doc = "share of a response that even the right model would miss, since its laws are forms [-]",
+             .lower = 0,
+             .upper = 1}),
+        field(&GapOptions::form_error,
+              {.key = "form_error",
+               .doc = "share of an effect's signature that another form of its law would change [-]",
+               .lower = 0,
+               .upper = 2}),
+        field(&GapOptions::packings,
+              {.key = "packings",
+               .doc = "runs of the base model, of an effect in full, and on held-out experiments",
+               .lower = 2,
+               .upper = 1000}),
+        field(&GapOptions::screening_packings, {.key = "screening_packings",
+                                                .doc = "runs of each effect in the first look",
+                                                .lower = 1,
+                                                .upper = 1000}),
+        field(&GapOptions::effects_in_full,
+              {.key = "effects_in_full",
+               .doc = "effects, the most probable ones, that are simulated in full and on what is held out",
+               .lower = 1,
+               .upper = 100}),
+        field(&GapOptions::runs, {.key = "runs", .doc = "most runs of the diagnosis", .lower = 1}),
+        field(&GapOptions::named_from, {.key = "named_from",
+                                        .doc = "probability from which on an effect is named [-]",
+                                        .lower = 0.5,
+                                        .upper = 1}),
+    };
+    return fields;
+}
+
 } // namespace demens::ensemble::input

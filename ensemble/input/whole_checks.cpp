@@ -39,7 +39,8 @@ void check_budget(InputTable const& design, InputTable const& stop, CampaignInpu
     int runs_per_point = 0;
     std::size_t targets = 0;
     for (auto const& experiment : input.experiments) {
-        runs_per_point += experiment.replicates;
+        if (experiment.role == ExperimentRole::calibrate)
+            runs_per_point += experiment.replicates;
         targets += experiment.targets.size();
     }
     if (targets == 0 && input.stop.waves > 0)

@@ -18,6 +18,11 @@ void fail(rig::RunResult& result, rig::RunStatus status, std::string reason)
     result.reason = std::move(reason);
 }
 
+rig::RunInput run_input_of(CampaignInput const& input, RunRecord const& plan)
+{
+    return input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate, plan.overrides());
+}
+
 //! A rig's promises, checked: what breaks them must not reach a fit.
 void check_result(rig::RunResult& result, Experiment const& experiment)
 {
@@ -52,8 +57,7 @@ rig::RunResult simulate(CampaignInput const& input, RunRecord const& plan, rig::
     auto const& experiment = input.experiments.at(static_cast<std::size_t>(plan.experiment));
     rig::RunResult result;
     try {
-        result = run_experiment(
-            experiment, input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate), hooks);
+        result = run_experiment(experiment, run_input_of(input, plan), hooks);
     } catch (rig::RunInterrupted const&) {
         throw;
     } catch (std::bad_alloc const&) {
@@ -73,8 +77,7 @@ double predicted_cost(CampaignInput const& input, RunRecord const& plan)
 {
     try {
         auto const& rig = *input.experiments.at(static_cast<std::size_t>(plan.experiment)).rig;
-        double const cost =
-            rig.predict_cost(input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate));
+        double const cost = rig.predict_cost(run_input_of(input, plan));
         return std::isfinite(cost) ? cost : 0;
     } catch (std::exception const&) {
         return 0; // the run will say what is wrong
@@ -84,6 +87,36 @@ double predicted_cost(CampaignInput const& input, RunRecord const& plan)
 } // namespace
 
 namespace {
+
+//! \throws InputError
+void check_plan(WavePlan const& plan, CampaignInput const& input)
+{
+    for (auto const& point : plan.points)
+        if (point.size() != input.factors.size())
+            throw InputError(fmt::format("a design point has {} values, but the campaign has {} factors",
+                                         point.size(), input.factors.size()));
+    if (plan.amplitudes.size() != (plan.effects.empty() ? 0 : plan.points.size()))
+        throw InputError(fmt::format("{} design points with {} effects have {} rows of amplitudes",
+                                     plan.points.size(), plan.effects.size(), plan.amplitudes.size()));
+    for (auto const& row : plan.amplitudes)
+        if (row.size() != plan.effects.size())
+            throw InputError(fmt::format("a design point has {} amplitudes, but its wave {} effects",
+                                         row.size(), plan.effects.size()));
+    if (!std::is_sorted(plan.experiments.begin(), plan.experiments.end()))
+        throw InputError("the experiments of a wave must stand in the order of the campaign");
+    for (int const e : plan.experiments)
+        if (e < 0 || e >= static_cast<int>(input.experiments.size()))
+            throw InputError(fmt::format("there is no experiment {}", e));
+}
+
+std::vector<int> calibrating(CampaignInput const& input)
+{
+    std::vector<int> numbers;
+    for (std::size_t e = 0; e < input.experiments.size(); ++e)
+        if (input.experiments[e].role == ExperimentRole::calibrate)
+            numbers.push_back(static_cast<int>(e));
+    return numbers;
+}
 
 std::vector<double> curve_responses(Experiment const& experiment, rig::RunResult const& result)
 {
@@ -128,32 +161,39 @@ FinishedRun execute(CampaignInput const& input, RunRecord const& plan, rig::RunH
     return run;
 }
 
-Wave plan_runs(Campaign const& campaign, WavePurpose purpose, std::vector<std::vector<double>> const& points)
+Wave plan_runs(Campaign const& campaign, WavePlan const& plan)
 {
     auto const& input = campaign.input;
+    check_plan(plan, input);
     Wave wave;
     wave.number = static_cast<int>(campaign.waves.size());
-    wave.purpose = purpose;
+    wave.purpose = plan.purpose;
+    wave.replicates = plan.replicates;
+    auto const effects =
+        plan.effects.empty() ? nullptr : std::make_shared<std::vector<Effect> const>(plan.effects);
+    auto const experiments = plan.experiments.empty() ? calibrating(input) : plan.experiments;
     int next_run = campaign.runs_planned(), next_point = campaign.points_planned();
-    for (auto const& point : points) {
-        if (point.size() != input.factors.size())
-            throw InputError(fmt::format("a design point has {} values, but the campaign has {} factors",
-                                         point.size(), input.factors.size()));
-        for (std::size_t e = 0; e < input.experiments.size(); ++e)
-            for (int replicate = 0; replicate < input.experiments[e].replicates; ++replicate) {
+    for (std::size_t p = 0; p < plan.points.size(); ++p, ++next_point)
+        for (int const e : experiments) {
+            int const replicates = plan.replicates > 0
+                                       ? plan.replicates
+                                       : input.experiments[static_cast<std::size_t>(e)].replicates;
+            for (int replicate = 0; replicate < replicates; ++replicate) {
                 RunRecord run;
                 run.run = next_run++;
                 run.wave = wave.number;
                 run.point = next_point;
-                run.experiment = static_cast<int>(e);
+                run.experiment = e;
                 run.replicate = replicate;
                 run.seed = input.run_seed(run.point, run.experiment, replicate);
-                run.factors = point;
+                run.factors = plan.points[p];
+                run.effects = effects;
+                if (effects)
+                    run.amplitudes = plan.amplitudes[p];
                 run.predicted_cost = predicted_cost(input, run);
                 wave.runs.push_back(std::move(run));
             }
-        ++next_point;
-    }
+        }
     return wave;
 }
 

@@ -15,8 +15,9 @@ rig::RunResult run_experiment(Experiment const& experiment, rig::RunInput const&
 //! Simulates one planned run. Whatever goes wrong in it is its status and reason. \throws rig::RunInterrupted
 FinishedRun execute(CampaignInput const& input, RunRecord const& plan, rig::RunHooks const& hooks);
 
-//! The runs of a wave at the given design points (own units), numbered after all runs of the campaign.
-Wave plan_runs(Campaign const& campaign, WavePurpose purpose, std::vector<std::vector<double>> const& points);
+//! The runs of a wave, numbered after all runs of the campaign. \throws InputError for a plan that does not
+//! fit the campaign
+Wave plan_runs(Campaign const& campaign, WavePlan const& plan);
 
 //! Wall seconds that each run of a wave may take: predicted costs times the rates that finished runs show.
 std::vector<double> expected_seconds(Campaign const& campaign, Wave const& wave);

@@ -1,6 +1,6 @@
 #include "tao_calib/wave/assessment.hpp"
 
-#include "tao_calib/surrogate/transform.hpp"
+#include "tao_calib/wave/target_surrogate.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,22 +18,6 @@ constexpr double distinct_separation = 0.05;            // between minima, in sh
 //! Radial basis functions and Gaussian processes cost the third power of the locations: some seconds each
 //! here.
 constexpr int most_fitted_locations = 400;
-
-Transform transform_of(ensemble::Target const& target)
-{
-    using enum ensemble::TransformKind;
-    switch (target.transform) {
-    case log:
-        return Transform::logarithm(target.scale);
-    case logit:
-        return Transform::logit(target.lower, target.upper);
-    case asinh:
-        return Transform::area_sine(target.value, target.scale);
-    case none:
-        break;
-    }
-    return {};
-}
 
 double r2_of(Samples const& samples, Surrogate const& surrogate)
 {
@@ -60,14 +44,8 @@ Assessment::Assessment(ensemble::Campaign const& campaign, LeastSquaresSolver co
         chosen_ = locations_.best_and_spread(most_fitted_locations);
     for (int t = 0; t < objective_.size(); ++t) {
         samples_.push_back(locations_.samples(t, chosen_));
-        auto const transform = transform_of(objective_.targets()[t].target);
-        if (transform.is_identity()) {
-            surrogates_.push_back(fit_surrogate(campaign.input.surrogate.kind, samples_.back()));
-            continue;
-        }
-        surrogates_.push_back(std::make_unique<TransformedSurrogate>(
-            transform, fit_surrogate(campaign.input.surrogate.kind, transformed(transform, samples_.back())),
-            samples_.back()));
+        surrogates_.push_back(
+            fit_target(campaign.input.surrogate.kind, objective_.targets()[t].target, samples_.back()));
     }
     r2_.resize(objective_.size());
     for (int t = 0; t < objective_.size(); ++t)

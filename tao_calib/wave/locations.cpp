@@ -12,8 +12,9 @@ Locations::Locations(Objective const& objective, UnitCube const& cube, ensemble:
     : Locations(objective, cube)
 {
     for (auto const& wave : campaign.waves)
-        for (auto const& run : wave.runs)
-            add(run);
+        if (ensemble::calibrates(wave.purpose))
+            for (auto const& run : wave.runs)
+                add(run);
 }
 
 Location& Locations::at(ensemble::RunRecord const& run)

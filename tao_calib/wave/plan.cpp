@@ -40,7 +40,8 @@ struct Budget
     {
         int per_point = 0, runs = 0;
         for (auto const& experiment : campaign.input.experiments)
-            per_point += experiment.replicates;
+            if (experiment.role == ensemble::ExperimentRole::calibrate)
+                per_point += experiment.replicates;
         double wall_time = 0;
         for (auto const& wave : campaign.waves) {
             runs += static_cast<int>(wave.runs.size());

@@ -71,6 +71,10 @@ class OptionValues
     //! The tables `[[key]]` inside this one, in the order of the file; none when there are none.
     std::vector<OptionValues> const& tables(std::string const& key) const;
     OptionValues& table(std::string const& key, std::size_t number) { return tables_.at(key).at(number); }
+    OptionValues const& table(std::string const& key, std::size_t number) const
+    {
+        return tables_.at(key).at(number);
+    }
     void add_table(std::string const& key, OptionValues table) { tables_[key].push_back(std::move(table)); }
 
   private:

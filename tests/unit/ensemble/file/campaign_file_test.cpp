@@ -45,6 +45,27 @@ TEST(CampaignFile, KeepsTheInputByteForByte)
     EXPECT_EQ(campaign.ended, "");
 }
 
+TEST(CampaignFile, HoldsTheEffectsOfAWaveAndTheirAmplitudes)
+{
+    std::filesystem::remove("effects.h5");
+    ensemble::WavePlan const plan{.purpose = WavePurpose::signatures,
+                                  .points = {{0.1, 0.2}, {0.3, 0.2}},
+                                  .effects = {{.name = "shift", .settings = {{"experiment.x", Adds{0.25}}}},
+                                              {.name = "share", .settings = {{"experiment.y", Scales{1}}}}},
+                                  .amplitudes = {{0, 0}, {0, 0.125}},
+                                  .experiments = {1},
+                                  .replicates = 3};
+    create_campaign_file("effects.h5", CampaignInput::from_text(formula_campaign(), "test", formula_rigs()),
+                         plan);
+    auto const wave = read_campaign_file("effects.h5", formula_rigs()).waves.at(0);
+    EXPECT_EQ(wave.replicates, 3);
+    ASSERT_EQ(wave.runs.size(), 6u);
+    EXPECT_EQ(toml_text(*wave.runs[4].effects), toml_text(plan.effects));
+    EXPECT_EQ(wave.runs[2].amplitudes, (std::vector<double>{0, 0}));
+    EXPECT_EQ(wave.runs[3].amplitudes, (std::vector<double>{0, 0.125}));
+    EXPECT_EQ(wave.runs[5].replicate, 2);
+}
+
 TEST(CampaignFile, HoldsTheFilesThatTheInputNames)
 {
     auto rigs = formula_rigs();

@@ -25,7 +25,7 @@ void create(std::string const& file)
     std::filesystem::remove(file);
     create_campaign_file(file, CampaignInput::from_text(formula_campaign(), "test", formula_rigs()));
     auto campaign = read_campaign_file(file, formula_rigs());
-    auto wave = plan_runs(campaign, WavePurpose::design, {{0.1, 0.2}, {0.3, 0.4}});
+    auto wave = plan_runs(campaign, {WavePurpose::design, {{0.1, 0.2}, {0.3, 0.4}}});
     std::vector<RunDetails> details;
     for (auto& run : wave.runs) {
         auto finished = execute(campaign.input, run, {});

@@ -22,15 +22,38 @@ Campaign new_campaign(std::string const& options = "")
 TEST(Plan, NumbersRunsThroughTheCampaign)
 {
     auto campaign = new_campaign();
-    campaign.waves.push_back(plan_runs(campaign, WavePurpose::design, {{0.1, 0.2}, {0.3, 0.4}}));
-    auto const wave = plan_runs(campaign, WavePurpose::search, {{0.5, 0.6}});
+    campaign.waves.push_back(plan_runs(campaign, {WavePurpose::design, {{0.1, 0.2}, {0.3, 0.4}}}));
+    auto const wave = plan_runs(campaign, {WavePurpose::search, {{0.5, 0.6}}});
     EXPECT_EQ(wave.number, 1);
     ASSERT_EQ(wave.runs.size(), 3u); // two replicates of one experiment, one of the other
     EXPECT_EQ(wave.runs[0].run, 6);
     EXPECT_EQ(wave.runs[2].point, 2);
     EXPECT_EQ(wave.runs[1].seed, campaign.input.run_seed(2, 0, 1));
     EXPECT_DOUBLE_EQ(wave.runs[0].predicted_cost, 1.5e6);
-    EXPECT_THROW(plan_runs(campaign, WavePurpose::search, {{0.5}}), InputError);
+    EXPECT_THROW(plan_runs(campaign, {WavePurpose::search, {{0.5}}}), InputError);
+}
+
+TEST(Plan, ActsWithEffectsOnChosenExperiments)
+{
+    auto const campaign = new_campaign();
+    ensemble::Effect const effect{.name = "shift", .settings = {{"experiment.x", ensemble::Adds{0.25}}}};
+    auto const wave = plan_runs(campaign, {.purpose = WavePurpose::signatures,
+                                           .points = {{0.1, 0.2}, {0.1, 0.2}},
+                                           .effects = {effect},
+                                           .amplitudes = {{0}, {2}},
+                                           .experiments = {1},
+                                           .replicates = 3});
+    ASSERT_EQ(wave.runs.size(), 6u); // three replicates of the second experiment at two points
+    for (auto const& run : wave.runs)
+        EXPECT_EQ(run.experiment, 1);
+    EXPECT_TRUE(wave.runs[0].overrides().empty());
+    EXPECT_DOUBLE_EQ(wave.runs[0].predicted_cost, 1.1e6);
+    EXPECT_DOUBLE_EQ(wave.runs[3].predicted_cost, 1.6e6) << "x is 0.1 + 2 x 0.25";
+    EXPECT_EQ(execute(campaign.input, wave.runs[3], {}).record.responses[1], 2 * 0.6 + 0.2);
+    EXPECT_THROW(plan_runs(campaign, {.points = {{0.1, 0.2}}, .effects = {effect}}), InputError);
+    EXPECT_THROW(plan_runs(campaign, {.points = {{0.1, 0.2}}, .effects = {effect}, .amplitudes = {{1, 2}}}),
+                 InputError);
+    EXPECT_THROW(plan_runs(campaign, {.points = {{0.1, 0.2}}, .experiments = {2}}), InputError);
 }
 
 TEST(Schedule, LongestRunFirst)
@@ -41,12 +64,12 @@ TEST(Schedule, LongestRunFirst)
 TEST(Schedule, PredictionsAreCorrectedFromFinishedRuns)
 {
     auto campaign = new_campaign();
-    campaign.waves.push_back(plan_runs(campaign, WavePurpose::design, {{0.0, 0.2}}));
+    campaign.waves.push_back(plan_runs(campaign, {WavePurpose::design, {{0.0, 0.2}}}));
     for (auto& run : campaign.waves[0].runs) { // all of the same predicted cost, 1e6
         run.status = rig::RunStatus::finished;
         run.wall_time = run.experiment == 0 ? 30 : 4;
     }
-    auto const wave = plan_runs(campaign, WavePurpose::search, {{1.0, 0.5}}); // twice the cost
+    auto const wave = plan_runs(campaign, {WavePurpose::search, {{1.0, 0.5}}}); // twice the cost
     auto const seconds = expected_seconds(campaign, wave);
     EXPECT_DOUBLE_EQ(seconds[0], 60);
     EXPECT_DOUBLE_EQ(seconds[2], 8);
@@ -56,7 +79,7 @@ TEST(Execute, WhateverGoesWrongIsAStatus)
 {
     auto const run = [](std::string const& options) {
         auto campaign = new_campaign(options);
-        return execute(campaign.input, plan_runs(campaign, WavePurpose::design, {{0.9, 0.5}}).runs[0], {})
+        return execute(campaign.input, plan_runs(campaign, {WavePurpose::design, {{0.9, 0.5}}}).runs[0], {})
             .record;
     };
     EXPECT_EQ(run("").status, rig::RunStatus::finished);
