@@ -1,0 +1,159 @@
+#include "gap/catalogue/catalogue.hpp"
+
+#include "demens/base/error.hpp"
+#include "ensemble/input/nearest.hpp"
+#include "gap/catalogue/effects.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace demens::gap {
+namespace {
+
+using ensemble::CampaignInput, ensemble::Effect;
+
+//! The entry as an effect of this campaign; without settings where it is not allowed or needs none.
+Candidate candidate_of(CatalogueEntry const& entry, Setup const& setup)
+{
+    return {{.name = entry.name,
+             .settings = entry.settings ? entry.settings(setup) : std::vector<ensemble::EffectSetting>{},
+             .typical = entry.typical,
+             .sign = entry.sign,
+             .doc = entry.doc},
+            word_for(entry.group),
+            entry.amplitude,
+            entry.measured};
+}
+
+bool is_possible(Candidate const& candidate, CampaignInput const& input)
+{
+    if (candidate.measured) {
+        for (auto const& experiment : input.experiments)
+            for (auto const* targets : {&experiment.targets, &experiment.held_out})
+                for (auto const& target : *targets) {
+                    auto const& response =
+                        experiment.responses[static_cast<std::size_t>(target.response_index)];
+                    if (candidate.measured({response.name, response.units, 1}) != 0)
+                        return true;
+                }
+        return false;
+    }
+    return !candidate.effect.settings.empty();
+}
+
+//! What a rig has against an effect of typical size; empty when nothing.
+std::string refusal(Effect const& effect, CampaignInput const& input)
+{
+    double const amplitude = effect.sign == ensemble::EffectSign::negative ? -effect.typical : effect.typical;
+    auto const overrides = ensemble::overrides_of({effect}, {amplitude});
+    for (std::size_t e = 0; e < input.experiments.size(); ++e)
+        try {
+            input.run_input({}, 0, static_cast<int>(e), 0, overrides);
+        } catch (InputError const& error) {
+            return fmt::format("experiment.{}: {}", input.experiments[e].name, error.what());
+        }
+    return {};
+}
+
+//! \throws InputError when two change the same
+void check_different(std::vector<Candidate> const& candidates)
+{
+    auto const key = [](Candidate const& candidate) {
+        return ensemble::toml_text({{.name = "", .settings = candidate.effect.settings}});
+    };
+    for (std::size_t k = 0; k < candidates.size(); ++k)
+        for (std::size_t j = 0; j < k; ++j) {
+            if (candidates[j].effect.name == candidates[k].effect.name)
+                throw InputError(fmt::format("[[effect]] name = \"{}\": an effect of the catalogue has this "
+                                             "name; give it another one, or leave the catalogue's out of "
+                                             "[gap] effects",
+                                             candidates[k].effect.name));
+            if (!candidates[k].measured && !candidates[j].measured &&
+                key(candidates[j]) == key(candidates[k]))
+                throw InputError(
+                    fmt::format("the effects {} and {} change the same, so that nothing could tell "
+                                "them apart; leave one of them out",
+                                candidates[j].effect.name, candidates[k].effect.name));
+        }
+}
+
+std::vector<Candidate> own_effects(CampaignInput const& input)
+{
+    std::vector<Candidate> own;
+    for (auto const& effect : input.effects)
+        own.push_back({effect, "own", effect.doc.empty() ? "as its settings say" : effect.doc, nullptr});
+    return own;
+}
+
+std::vector<Candidate> named_candidates(CampaignInput const& input, Setup const& setup)
+{
+    std::vector<Candidate> candidates;
+    auto const own = own_effects(input);
+    std::vector<std::string> names;
+    for (auto const& entry : catalogue())
+        names.push_back(entry.name);
+    for (auto const& candidate : own)
+        names.push_back(candidate.effect.name);
+    for (auto const& name : input.gap->effects) {
+        auto const mine =
+            std::find_if(own.begin(), own.end(), [&](auto const& c) { return c.effect.name == name; });
+        if (mine != own.end()) {
+            candidates.push_back(*mine);
+            continue;
+        }
+        auto const entry = std::find_if(catalogue().begin(), catalogue().end(),
+                                        [&](auto const& e) { return e.name == name; });
+        if (entry == catalogue().end())
+            throw InputError(fmt::format("gap.effects: there is no effect \"{}\"; {}", name,
+                                         ensemble::input::suggestion(name, names)));
+        candidates.push_back(candidate_of(*entry, setup));
+        if (!is_possible(candidates.back(), input))
+            throw InputError(fmt::format("gap.effects: \"{}\" changes nothing in this campaign: it needs {}",
+                                         name, entry->keys));
+    }
+    return candidates;
+}
+
+} // namespace
+
+std::vector<CatalogueEntry> const& catalogue()
+{
+    static std::vector<CatalogueEntry> const entries = {
+        fill_mass(),      drum_speed(),           drum_tilt(),
+        gate(),           filling_history(),      slot_width(),
+        grain_density(),  wall_friction(),        cover_friction(),
+        wall_adhesion(),  slice_length(),         van_der_waals(),
+        liquid_bridges(), area_cohesion(),        charge(),
+        softening(),      static_above_kinetic(), rolling_damping(),
+        restitution(),    camera_angle(),         balance_scale(),
+        time_base(),
+    };
+    return entries;
+}
+
+std::vector<Candidate> candidates_of(CampaignInput const& input)
+{
+    Setup const setup(input);
+    bool const all = !input.gap || input.gap->effects.empty();
+    std::vector<Candidate> candidates;
+    if (all) {
+        for (auto const& entry : catalogue())
+            if (auto candidate = candidate_of(entry, setup);
+                is_possible(candidate, input) && refusal(candidate.effect, input).empty())
+                candidates.push_back(std::move(candidate));
+        for (auto& candidate : own_effects(input))
+            candidates.push_back(std::move(candidate));
+    } else {
+        candidates = named_candidates(input, setup);
+    }
+    check_different(candidates);
+    for (auto const& candidate : candidates)
+        if (auto const reason = refusal(candidate.effect, input); !reason.empty())
+            throw InputError(
+                fmt::format("the effect {} at its typical amplitude {} cannot be simulated: {}; give "
+                            "a smaller typical amplitude",
+                            candidate.effect.name, candidate.effect.typical, reason));
+    return candidates;
+}
+
+} // namespace demens::gap

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "gap/catalogue/entry.hpp"
+#include "gap/catalogue/settings.hpp"
+
+namespace demens::gap {
+
+// One effect a file, in the order in which they are listed.
+
+CatalogueEntry fill_mass();
+CatalogueEntry drum_speed();
+CatalogueEntry drum_tilt();
+CatalogueEntry gate();
+CatalogueEntry filling_history();
+CatalogueEntry slot_width();
+CatalogueEntry grain_density();
+CatalogueEntry wall_friction();
+CatalogueEntry cover_friction();
+CatalogueEntry wall_adhesion();
+CatalogueEntry slice_length();
+CatalogueEntry van_der_waals();
+CatalogueEntry liquid_bridges();
+CatalogueEntry area_cohesion();
+CatalogueEntry charge();
+CatalogueEntry softening();
+CatalogueEntry static_above_kinetic();
+CatalogueEntry rolling_damping();
+CatalogueEntry restitution();
+CatalogueEntry camera_angle();
+CatalogueEntry balance_scale();
+CatalogueEntry time_base();
+
+} // namespace demens::gap
