@@ -25,6 +25,12 @@ NamedArray const* Wave::find(stored::ArrayName const& name) const
     return found == analysis.end() ? nullptr : &*found;
 }
 
+bool is_complete(Wave const& wave)
+{
+    return std::none_of(wave.runs.begin(), wave.runs.end(),
+                        [](RunRecord const& run) { return run.status == rig::RunStatus::not_run; });
+}
+
 int Campaign::runs_planned() const
 {
     int count = 0;

@@ -92,6 +92,9 @@ struct Wave
     NamedArray const* find(stored::ArrayName const& name) const;
 };
 
+//! Whether the results of all runs are there.
+bool is_complete(Wave const& wave);
+
 //! A wave that is to be simulated.
 struct WavePlan
 {

@@ -333,12 +333,6 @@ std::string wave_path(int wave)
     return fmt::format("/waves/{:04}", wave);
 }
 
-bool is_complete(Wave const& wave)
-{
-    return std::none_of(wave.runs.begin(), wave.runs.end(),
-                        [](RunRecord const& run) { return run.status == rig::RunStatus::not_run; });
-}
-
 void write_plan(RowWriter& writer, Wave const& wave, CampaignInput const& input)
 {
     auto const base = wave_path(wave.number);

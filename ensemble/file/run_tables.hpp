@@ -24,7 +24,4 @@ Wave read_wave(hid_t file, int wave, CampaignInput const& input);
 //! Series and snapshots of the run in a row of its wave.
 RunDetails read_details(hid_t file, int wave, std::size_t row, std::string const& experiment);
 
-//! Whether the results of all runs are there.
-bool is_complete(Wave const& wave);
-
 } // namespace demens::ensemble

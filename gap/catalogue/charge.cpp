@@ -15,7 +15,8 @@ CatalogueEntry charge()
             .sign = ensemble::EffectSign::either,
             .settings = [](Setup const& setup) {
                 double const r = setup.mean_radius();
-                double const unit = 8 * std::numbers::pi * r * r / 4; // 8 pi (r r)^2/(2 r)^2
+                constexpr double reach = 2 + 0.5 * 0.5; // over r: where the force is cut off by default
+                double const unit = 8 * std::numbers::pi * r * r * (1 / 4.0 - 1 / (reach * reach));
                 return r > 0 ? of_contacts(setup.contacts_among_grains(), "added_charge_pressure",
                                            grain_weight(setup) / unit)
                              : Settings{};

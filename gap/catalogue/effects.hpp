@@ -10,6 +10,8 @@ namespace demens::gap {
 CatalogueEntry fill_mass();
 CatalogueEntry drum_speed();
 CatalogueEntry drum_tilt();
+CatalogueEntry lean();
+CatalogueEntry vibration();
 CatalogueEntry gate();
 CatalogueEntry filling_history();
 CatalogueEntry slot_width();
@@ -26,6 +28,7 @@ CatalogueEntry softening();
 CatalogueEntry static_above_kinetic();
 CatalogueEntry rolling_damping();
 CatalogueEntry restitution();
+CatalogueEntry air_drag();
 CatalogueEntry camera_angle();
 CatalogueEntry balance_scale();
 CatalogueEntry time_base();

@@ -157,6 +157,9 @@ TEST(Catalogue, EffectsOfTheOperationChangeWhatIsReported)
     EXPECT_DOUBLE_EQ(run_with("slot_width", 0.05, 1).experiment.number("slot_width_mm"), 21);
     EXPECT_DOUBLE_EQ(run_with("slice_length", 0.05).experiment.number("width_mm"), 21);
     EXPECT_DOUBLE_EQ(run_with("slice_length", 0.1, 1).experiment.number("box_depth_mm"), 16.5);
+    EXPECT_EQ(run_with("lean", -1, 1).experiment.number("lean_x_deg"), -1);
+    EXPECT_DOUBLE_EQ(run_with("vibration", 0.5).experiment.vector("vibration_m_s2").z, 4.905);
+    EXPECT_DOUBLE_EQ(run_with("air_drag", 2).experiment.number("gas_viscosity_Pa_s"), 3.6e-5);
     EXPECT_DOUBLE_EQ(run_with("grain_density", 0.1).model.materials[0].density, 2750);
 }
 
@@ -180,8 +183,7 @@ TEST(Catalogue, AUnitOfAttractionIsTheWeightOfAGrain)
     EXPECT_NEAR(4 * pi * pair_with("wall_adhesion", 2, steel).added_surface_energy * radius, 2 * weight,
                 1e-12 * weight);
     auto const charged = pair_with("charge", -1, glass).added_charge_pressure;
-    EXPECT_NEAR(8 * pi * charged * std::pow(radius * radius, 2) / std::pow(2 * radius, 2), -weight,
-                1e-12 * weight);
+    EXPECT_NEAR(8 * pi * charged * radius * radius * (1 / 4.0 - 1 / (2.25 * 2.25)), -weight, 1e-12 * weight);
     EXPECT_DOUBLE_EQ(pair_with("liquid_bridges", 0.5, glass).added_surface_tension, 0.036);
     EXPECT_DOUBLE_EQ(pair_with("area_cohesion", 1, glass).added_energy_density,
                      100 * 2500 * 9.81 * 2 * radius);
