@@ -17,6 +17,7 @@ a campaign:
   mpirun -n N demens FILE.h5            run it, or go on with it; safe to kill and repeat
   mpirun -n N demens FILE.toml          both in one
   demens status FILE.h5                 how far it is
+  demens gap FILE.h5                    where the calibrated model misses and what it lacks
   demens report FILE.h5                 one HTML page with the plots
   demens export FILE.h5                 runs, curves and the best point as CSV and TOML
   demens replay FILE.h5 --run 17 --frames out/
@@ -66,6 +67,8 @@ int do_what_is_asked(int argc, char** argv)
     cli::add_fit(program, action);
     cli::add_scale(program, action);
     cli::add_observe(program, action);
+    cli::add_effects(program, action);
+    cli::add_gap(program, action);
     try {
         program.parse(argc, argv);
     } catch (CLI::ParseError const& error) {

@@ -6,6 +6,7 @@
 #include "ensemble/run/wave_runner.hpp"
 #include "ensemble/session.hpp"
 #include "ensemble/storage/lock.hpp"
+#include "gap/campaign/next_wave.hpp"
 #include "tao_calib/design/design.hpp"
 #include "tao_calib/wave/plan.hpp"
 
@@ -33,6 +34,16 @@ struct Checked
     std::string plan;
 };
 
+//! What is to be told of the diagnosis. \throws InputError
+std::vector<std::string> gap_lines(fs::path const& toml, CampaignInput const& input)
+{
+    try {
+        return gap::announcement(input);
+    } catch (InputError const& error) {
+        throw InputError(fmt::format("{}: {}", toml.string(), error.what()));
+    }
+}
+
 //! Reads a TOML file, plans its design and asks for the warnings: whatever is wrong is found before a word is
 //! printed.
 Checked read_checked(fs::path const& toml)
@@ -47,7 +58,8 @@ Checked read_checked(fs::path const& toml)
     }
     int runs_per_point = 0;
     for (auto const& experiment : input.experiments)
-        runs_per_point += experiment.replicates;
+        if (experiment.role == ensemble::ExperimentRole::calibrate)
+            runs_per_point += experiment.replicates;
     auto const runs = design.points.rows() * runs_per_point;
     if (runs > input.stop.runs)
         throw InputError(
@@ -63,6 +75,9 @@ Checked read_checked(fs::path const& toml)
         fmt::format_to(to, "  {}\n", note);
     for (auto const& note : design.notes)
         fmt::format_to(to, "  {}\n", note);
+    if (input.gap)
+        for (auto const& line : gap_lines(toml, input))
+            fmt::format_to(to, "  {}\n", line);
     return checked;
 }
 

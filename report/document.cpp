@@ -1,6 +1,7 @@
 #include "report/document.hpp"
 
 #include "demens/base/error.hpp"
+#include "gap/campaign/report.hpp"
 #include "report/analysis.hpp"
 #include "report/comparison.hpp"
 #include "report/picture.hpp"
@@ -149,6 +150,18 @@ json details_of_shown_runs(ensemble::Campaign const& campaign, Analysis const& a
     return list;
 }
 
+//! The diagnosis, or why there is none; null where none was asked for.
+json gap_of(ensemble::Campaign const& campaign)
+{
+    if (!gap::has_diagnosis(campaign))
+        return nullptr;
+    try {
+        return gap::gap_document(campaign);
+    } catch (InputError const& error) {
+        return {{"failure", error.what()}};
+    }
+}
+
 } // namespace
 
 json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of)
@@ -173,6 +186,7 @@ json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of
             {"surrogate", surrogate_of(analysis)},
             {"findings", findings_of(analysis)},
             {"screening", screening_of(analysis)},
+            {"gap", gap_of(campaign)},
             {"details", details_of_shown_runs(campaign, analysis, details_of)},
             {"input", {{"text", input.text()}, {"resolved", input.resolved_text()}}}};
 }

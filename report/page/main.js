@@ -1,5 +1,5 @@
 // The page, from top to bottom. The document `campaign` has: name, file, seed, ended, stop, factors, constraints,
-// experiments, targets, warnings, waves (with their runs), history, optimum, surrogate, details (pictures, series), input.
+// experiments, targets, warnings, waves (with their runs), history, optimum, surrogate, details (pictures, series), gap, input.
 
 function show_headline() {
     section('name').textContent = campaign.name;
@@ -41,7 +41,7 @@ function show_input(parent) {
 
 const parts = {
     fit: show_fit, pictures: show_pictures, convergence: show_convergence, determination: show_determination,
-    responses: show_responses, comparison: show_comparison, series: show_series, runs: show_runs, timing: show_timing, input: show_input,
+    responses: show_responses, comparison: show_comparison, gap: show_gap, series: show_series, runs: show_runs, timing: show_timing, input: show_input,
 };
 
 document.body.dataset.errors = 0;

@@ -1,0 +1,127 @@
+#include "gap/campaign/campaign_evidence.hpp"
+
+#include "demens/base/error.hpp"
+#include "gap/campaign/campaign_signature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace demens::gap {
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+using ensemble::ExperimentRole;
+
+constexpr double prior_variance = 1.0 / 12; //!< of a factor anywhere between its bounds, in the unit cube
+
+//! Mean responses of the base model at theta0. \throws InputError where an experiment has none
+VectorXd base_means(SimulatedPoint const* base, ensemble::CampaignInput const& input,
+                    std::vector<CampaignCell> const& cells)
+{
+    VectorXd means(static_cast<Eigen::Index>(cells.size()));
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        int const e = cells[i].cell.experiment;
+        if (!base || !base->has(e))
+            throw InputError(
+                fmt::format("the base model has no finished run of the experiment {}{}{}, so that "
+                            "its gap cannot be seen",
+                            input.experiments[static_cast<std::size_t>(e)].name,
+                            base && !base->failure.empty() ? "; " : "", base ? base->failure : ""));
+        means[static_cast<Eigen::Index>(i)] = base->mean(e, cells[i].target->response_index);
+    }
+    return means;
+}
+
+Evidence make_evidence(std::vector<CampaignCell> const& cells, CalibratedModel const& model,
+                       std::vector<SimulatedPoint> const& points, SimulatedPoint const& base,
+                       VectorXd const& means, double form_floor)
+{
+    auto const n = static_cast<Eigen::Index>(cells.size());
+    auto const p = model.slopes.cols();
+    Evidence evidence;
+    evidence.measured.resize(n);
+    evidence.experiment_variance.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        auto const& cell = cells[static_cast<std::size_t>(i)];
+        evidence.cells.push_back(cell.cell);
+        evidence.measured[i] = cell.target->value;
+        evidence.experiment_variance[i] = cell.sd * cell.sd;
+    }
+    evidence.predicted = means;
+    evidence.nuisance = model.slopes;
+    evidence.nuisance_prior = prior_variance * MatrixXd::Identity(p, p);
+    evidence.form_floor = form_floor;
+    for (std::size_t e = 0; e < base.runs.size(); ++e)
+        if (auto scatter = scatter_of(points, cells, static_cast<int>(e), base.count(static_cast<int>(e)));
+            !scatter.cells.empty() && scatter.degrees_of_freedom > 0)
+            evidence.packing.push_back(std::move(scatter));
+    return evidence;
+}
+
+} // namespace
+
+PackingScatter scatter_of(std::vector<SimulatedPoint> const& points, std::vector<CampaignCell> const& cells,
+                          int experiment, int packings)
+{
+    PackingScatter scatter;
+    scatter.packings = std::max(1, packings);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        if (cells[i].cell.experiment == experiment)
+            scatter.cells.push_back(static_cast<int>(i));
+    std::vector<VectorXd> rows;
+    for (auto const& point : points) {
+        if (point.count(experiment) < 2)
+            continue;
+        for (auto const& responses : point.runs[static_cast<std::size_t>(experiment)]) {
+            VectorXd row(static_cast<Eigen::Index>(scatter.cells.size()));
+            for (Eigen::Index c = 0; c < row.size(); ++c) {
+                int const response =
+                    cells[static_cast<std::size_t>(scatter.cells[static_cast<std::size_t>(c)])]
+                        .target->response_index;
+                row[c] = responses[response] - point.mean(experiment, response);
+            }
+            rows.push_back(std::move(row));
+        }
+        scatter.degrees_of_freedom += point.count(experiment) - 1;
+    }
+    scatter.deviations.resize(static_cast<Eigen::Index>(rows.size()),
+                              static_cast<Eigen::Index>(scatter.cells.size()));
+    for (std::size_t r = 0; r < rows.size(); ++r)
+        scatter.deviations.row(static_cast<Eigen::Index>(r)) = rows[r].transpose();
+    return scatter;
+}
+
+CampaignEvidence evidence_of(ensemble::Campaign const& campaign, Centre centre)
+{
+    auto const& input = campaign.input;
+    auto const options = input.gap.value_or(ensemble::GapOptions{});
+    CampaignEvidence all{
+        calibrated_model(campaign, centre), cells_of(input, ExperimentRole::calibrate), {}, {}, {}, {}};
+    if (all.cells.empty())
+        throw InputError("no experiment that is fitted has a target, so that there is no gap to diagnose");
+    auto const points = simulated_points(campaign, ensemble::WavePurpose::signatures);
+    auto const* base = find_point(points, all.model.point, "", 0);
+    auto const means = base_means(base, input, all.cells);
+    all.evidence = make_evidence(all.cells, all.model, points, *base, means, options.form_floor);
+    all.notes = notes_on(all.cells);
+    if (all.cells.size() < static_cast<std::size_t>(all.model.slopes.cols()))
+        all.notes.push_back(fmt::format("{} measured values are fewer than the {} calibrated factors, which "
+                                        "absorb nearly everything",
+                                        all.cells.size(), all.model.slopes.cols()));
+    if (centre == Centre::middle) // nothing is measured yet: the model's own responses stand for it
+        all.evidence.measured = means;
+    for (auto const& candidate : candidates_of(input)) {
+        auto const made = signature_of(candidate, all, points);
+        if (!made.reason.empty()) {
+            all.notes.push_back(fmt::format("{} is left out: {}", candidate.effect.name, made.reason));
+            continue;
+        }
+        all.candidates.push_back(candidate);
+        all.signatures.push_back(made.signature);
+        all.signatures.back().form_error = options.form_error;
+    }
+    return all;
+}
+
+} // namespace demens::gap

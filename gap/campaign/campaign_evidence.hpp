@@ -1,0 +1,33 @@
+#pragma once
+
+#include "gap/campaign/calibrated_model.hpp"
+#include "gap/campaign/campaign_cells.hpp"
+#include "gap/campaign/simulated_points.hpp"
+#include "gap/catalogue/catalogue.hpp"
+
+#include <string>
+#include <vector>
+
+namespace demens::gap {
+
+//! What a campaign says about its gap, as arrays.
+struct CampaignEvidence
+{
+    CalibratedModel model;
+    std::vector<CampaignCell> cells; //!< fitted ones, as in `evidence`
+    Evidence evidence;
+    std::vector<Candidate> candidates; //!< effects whose signatures are known
+    std::vector<Signature> signatures; //!< theirs
+    std::vector<std::string> notes;    //!< what was assumed or is missing, one line each
+};
+
+//! From the calibration's waves and those of signatures. The prior of the factors is as wide as their ranges.
+//! \throws InputError where nothing is calibrated, where the base model's runs failed, or there is no fitted
+//! target
+CampaignEvidence evidence_of(ensemble::Campaign const& campaign, Centre centre);
+
+//! How a point's runs scatter, and how many degrees of freedom tell, of the cells of an experiment.
+PackingScatter scatter_of(std::vector<SimulatedPoint> const& points, std::vector<CampaignCell> const& cells,
+                          int experiment, int packings);
+
+} // namespace demens::gap

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "gap/campaign/campaign_evidence.hpp"
+
+#include <string>
+#include <vector>
+
+namespace demens::gap {
+
+//! How all cells change with an effect, or why that is not known.
+struct MadeSignature
+{
+    Signature signature;
+    std::string reason; //!< empty: the signature is there
+};
+
+//! First and second order by least squares over its amplitudes at theta0, interaction with each factor by the
+//! difference of its change on either side of theta0, where these were simulated.
+//! \param of the cells, the base model's means and slopes \param points of the waves of signatures
+MadeSignature signature_of(Candidate const& candidate, CampaignEvidence const& of,
+                           std::vector<SimulatedPoint> const& points);
+
+//! Amplitudes at which an effect is simulated: the first look, and all of them in full.
+std::vector<double> screening_amplitudes(ensemble::Effect const& effect);
+std::vector<double> full_amplitudes(ensemble::Effect const& effect);
+//! Changes of the free factors (unit cube) about theta0 at which an effect in full is simulated, two a
+//! factor.
+std::vector<Eigen::VectorXd> interaction_changes(CalibratedModel const& model);
+
+} // namespace demens::gap

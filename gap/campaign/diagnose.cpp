@@ -1,0 +1,56 @@
+#include "gap/campaign/diagnose.hpp"
+
+#include "ensemble/mpi/agreement.hpp"
+#include "gap/campaign/next_wave.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace demens::gap {
+namespace {
+
+using ensemble::Campaign, ensemble::Session, ensemble::WaveEnd, ensemble::WavePlan;
+
+//! Runs what is planned, asks rank 0 for the next wave, and so on until there is none.
+WaveEnd go_on(Session& session, MPI_Comm communicator,
+              std::function<std::optional<WavePlan>(Campaign const&)> const& next)
+{
+    while (true) {
+        if (session.run_wave() == WaveEnd::drained)
+            return WaveEnd::drained;
+        std::optional<WavePlan> plan;
+        std::vector<int> goes_on(1);
+        ensemble::on_root(communicator, [&] {
+            plan = next(session.campaign());
+            goes_on[0] = plan.has_value();
+        });
+        ensemble::broadcast(communicator, goes_on);
+        if (goes_on[0] == 0)
+            return WaveEnd::complete;
+        session.plan_wave(plan.value_or(WavePlan{}));
+    }
+}
+
+bool has_signatures(Campaign const& campaign)
+{
+    return std::any_of(campaign.waves.begin(), campaign.waves.end(),
+                       [](auto const& wave) { return wave.purpose == ensemble::WavePurpose::signatures; });
+}
+
+} // namespace
+
+WaveEnd diagnose(Session& session, MPI_Comm communicator)
+{
+    return go_on(session, communicator, next_wave);
+}
+
+WaveEnd plan_ahead(Session& session, MPI_Comm communicator)
+{
+    return go_on(session, communicator, [](Campaign const& campaign) -> std::optional<WavePlan> {
+        if (has_signatures(campaign))
+            return std::nullopt;
+        return screening_wave(campaign, Centre::middle);
+    });
+}
+
+} // namespace demens::gap

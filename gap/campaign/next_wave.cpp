@@ -1,0 +1,207 @@
+#include "gap/campaign/next_wave.hpp"
+
+#include "demens/base/error.hpp"
+#include "gap/campaign/campaign_signature.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace demens::gap {
+namespace {
+
+using ensemble::Campaign, ensemble::CampaignInput, ensemble::ExperimentRole, ensemble::WavePlan,
+    ensemble::WavePurpose;
+
+ensemble::GapOptions options_of(CampaignInput const& input)
+{
+    return input.gap.value_or(ensemble::GapOptions{});
+}
+
+int waves_of(Campaign const& campaign, WavePurpose purpose)
+{
+    return static_cast<int>(std::count_if(campaign.waves.begin(), campaign.waves.end(),
+                                          [&](auto const& wave) { return wave.purpose == purpose; }));
+}
+
+std::vector<int> experiments_of(CampaignInput const& input, ExperimentRole role)
+{
+    std::vector<int> numbers;
+    for (std::size_t e = 0; e < input.experiments.size(); ++e)
+        if (input.experiments[e].role == role)
+            numbers.push_back(static_cast<int>(e));
+    return numbers;
+}
+
+//! Adds points to a plan, each of the packings that all points of a wave have.
+class PlanWriter
+{
+  public:
+    PlanWriter(WavePurpose purpose, std::vector<ensemble::Effect> effects, std::vector<int> experiments,
+               int packings)
+        : plan_{purpose, {}, std::move(effects), {}, std::move(experiments), packings}
+    {
+    }
+
+    //! \param times how often, so that it gets so many times the packings
+    //! \param effect its place in the plan; -1: the base model
+    void add(int times, std::vector<double> const& point, int effect = -1, double amplitude = 0)
+    {
+        std::vector<double> row(plan_.effects.size(), 0.0);
+        if (effect >= 0)
+            row[static_cast<std::size_t>(effect)] = amplitude;
+        for (int k = 0; k < times; ++k) {
+            plan_.points.push_back(point);
+            if (!plan_.effects.empty())
+                plan_.amplitudes.push_back(row);
+        }
+    }
+    WavePlan const& plan() const { return plan_; }
+
+  private:
+    WavePlan plan_;
+};
+
+std::vector<ensemble::Effect> simulated(std::vector<Candidate> const& candidates)
+{
+    std::vector<ensemble::Effect> effects;
+    for (auto const& candidate : candidates)
+        if (!candidate.measured)
+            effects.push_back(candidate.effect);
+    return effects;
+}
+
+//! How often a point of the first look is written, so that the base model gets its packings.
+int base_points(ensemble::GapOptions const& options)
+{
+    return (options.packings + options.screening_packings - 1) / options.screening_packings;
+}
+
+WavePlan full_wave(Campaign const& campaign, Diagnosis const& diagnosis)
+{
+    auto const options = options_of(campaign.input);
+    auto const& all = diagnosis.campaign();
+    auto places = diagnosis.ranked_effects();
+    places.resize(std::min(places.size(), static_cast<std::size_t>(options.effects_in_full)));
+    std::vector<ensemble::Effect> effects;
+    for (int const k : places)
+        effects.push_back(all.candidates[static_cast<std::size_t>(k)].effect);
+    PlanWriter writer(WavePurpose::signatures, effects,
+                      experiments_of(campaign.input, ExperimentRole::calibrate), options.screening_packings);
+    for (int k = 0; k < static_cast<int>(effects.size()); ++k) {
+        auto const& effect = effects[static_cast<std::size_t>(k)];
+        for (double const amplitude : full_amplitudes(effect))
+            writer.add(1, all.model.point, k, amplitude);
+        for (auto const& change : interaction_changes(all.model))
+            writer.add(1, all.model.moved(change), k, screening_amplitudes(effect).front());
+    }
+    return writer.plan();
+}
+
+WavePlan closure_wave(Campaign const& campaign, Diagnosis const& diagnosis)
+{
+    auto const options = options_of(campaign.input);
+    auto const& all = diagnosis.campaign();
+    auto places = diagnosis.ranked_effects();
+    places.resize(std::min(places.size(), static_cast<std::size_t>(options.effects_in_full)));
+    std::vector<ensemble::Effect> effects;
+    for (int const k : places)
+        effects.push_back(all.candidates[static_cast<std::size_t>(k)].effect);
+    PlanWriter writer(WavePurpose::closure, effects, experiments_of(campaign.input, ExperimentRole::hold_out),
+                      options.screening_packings);
+    int const in_full = base_points(options);
+    writer.add(in_full, all.model.point);
+    for (auto const& change : interaction_changes(all.model)) // how responses change with the factors there
+        writer.add(1, all.model.moved(change));
+    writer.add(in_full, all.model.moved(diagnosis.refitted().factors));
+    for (int k = 0; k < static_cast<int>(effects.size()); ++k) {
+        auto const refit = diagnosis.refitted_with(places[static_cast<std::size_t>(k)]);
+        if (refit.amplitudes[0] != 0)
+            writer.add(in_full, all.model.moved(refit.factors), k, refit.amplitudes[0]);
+    }
+    return writer.plan();
+}
+
+int runs_of(Campaign const& campaign)
+{
+    int runs = 0;
+    for (auto const& wave : campaign.waves)
+        if (!calibrates(wave.purpose))
+            runs += static_cast<int>(wave.runs.size());
+    return runs;
+}
+
+} // namespace
+
+Price price_of(CampaignInput const& input)
+{
+    auto const options = options_of(input);
+    int const effects = static_cast<int>(simulated(candidates_of(input)).size());
+    int const fitted = static_cast<int>(experiments_of(input, ExperimentRole::calibrate).size());
+    int const held_out = static_cast<int>(experiments_of(input, ExperimentRole::hold_out).size());
+    int const in_full = std::min(options.effects_in_full, effects);
+    int const points_in_full = 2 + 2 * static_cast<int>(input.factors.size());
+    return {(base_points(options) + effects) * options.screening_packings * fitted,
+            in_full * points_in_full * options.screening_packings * fitted,
+            ((2 + in_full) * base_points(options) + 2 * static_cast<int>(input.factors.size())) *
+                options.screening_packings * held_out};
+}
+
+std::vector<std::string> announcement(CampaignInput const& input)
+{
+    std::vector<std::string> lines;
+    auto const price = price_of(input);
+    lines.push_back(
+        fmt::format("diagnosis: {} effects; at most {} runs: {} for first looks, {} for {} effects in full, "
+                    "{} on what is held out",
+                    candidates_of(input).size(), price.total(), price.screening, price.full,
+                    options_of(input).effects_in_full, price.held_out));
+    if (price.held_out == 0)
+        lines.push_back(
+            "no experiment is held out: nothing will be said about how far an effect closes the gap; name "
+            "one or more in [gap] held_out");
+    auto const cells = cells_of(input, ExperimentRole::calibrate);
+    for (auto const& note : notes_on(cells))
+        lines.push_back(note);
+    if (cells.size() < input.factors.size())
+        lines.push_back(
+            fmt::format("{} measured values are fewer than the {} factors, which will absorb nearly "
+                        "everything",
+                        cells.size(), input.factors.size()));
+    return lines;
+}
+
+WavePlan screening_wave(Campaign const& campaign, Centre centre)
+{
+    auto const options = options_of(campaign.input);
+    auto const model = calibrated_model(campaign, centre);
+    auto const effects = simulated(candidates_of(campaign.input));
+    PlanWriter writer(WavePurpose::signatures, effects,
+                      experiments_of(campaign.input, ExperimentRole::calibrate), options.screening_packings);
+    writer.add(base_points(options), model.point);
+    for (int k = 0; k < static_cast<int>(effects.size()); ++k)
+        for (double const amplitude : screening_amplitudes(effects[static_cast<std::size_t>(k)]))
+            writer.add(1, model.point, k, amplitude);
+    return writer.plan();
+}
+
+//! First looks at all effects; the most probable ones in full, unless all is within the floor; then the
+//! candidates on what is held out.
+std::optional<WavePlan> next_wave(Campaign const& campaign)
+{
+    auto const options = options_of(campaign.input);
+    int const looks = waves_of(campaign, WavePurpose::signatures);
+    bool const is_tested = waves_of(campaign, WavePurpose::closure) > 0;
+    if (looks == 0)
+        return screening_wave(campaign, Centre::estimate);
+    if (is_tested || runs_of(campaign) >= options.runs)
+        return std::nullopt;
+    Diagnosis const diagnosis(campaign);
+    if (looks == 1 && diagnosis.attribution().verdict != Verdict::within_floor &&
+        !diagnosis.ranked_effects().empty())
+        return full_wave(campaign, diagnosis);
+    if (!experiments_of(campaign.input, ExperimentRole::hold_out).empty())
+        return closure_wave(campaign, diagnosis);
+    return std::nullopt;
+}
+
+} // namespace demens::gap

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ensemble/campaign.hpp"
+
+#include <string>
+
+namespace demens::gap {
+
+//! What the experiments of a campaign can tell, before anything is measured: how much of each effect
+//! recalibration hides, which effects look alike, the smallest amplitudes that show. \throws InputError where
+//! its runs are not there
+std::string plan_text(ensemble::Campaign const& campaign);
+
+} // namespace demens::gap

@@ -1,0 +1,95 @@
+"""Diagnoses made-up gaps of the impact of a ball: none, and a ball that is softer than the model has it.
+
+usage: gap.py DEMENS MPIRUN TOML.in
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+demens, mpirun, template = sys.argv[1:4]
+environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none")
+conditions = {"straight": (1.0, 0), "slanted": (1.0, 30), "flat": (1.0, 65), "fast": (3.0, 45)}
+measured_responses = ("normal_restitution", "tangential_restitution", "rebound_spin_rad_s", "largest_overlap_um",
+                      "contact_time_us")
+with open(template) as text:
+    campaign = text.read()
+
+
+def run(*command):
+    return subprocess.run(command, check=True, env=environment, capture_output=True, text=True).stdout
+
+
+def experiments(targets):
+    text = ""
+    for name, (speed, angle) in conditions.items():
+        text += f'\n[[experiment]]\nname = "{name}"\nrig = "impact"\nmaterial = "ball"\nwall_material = "plate"\n'
+        text += f"speed_m_s = {speed}\nangle_deg = {angle}\n"
+        for response, value in targets.get(name, {"normal_restitution": 1.0}).items():
+            sd = max(0.005 * abs(value), 1e-3)
+            text += f"target.{response} = {{ value = {value}, scale = {sd}, sd = {sd} }}\n"
+    return campaign.replace("@EXPERIMENTS@", text)
+
+
+def reality(*settings):
+    """Responses of the model with what is set, printed by `demens try`."""
+    with open("reality.toml", "w") as text:
+        text.write(experiments({}))
+    targets, name = {}, ""
+    for line in run(demens, "try", "reality.toml", *(word for path in settings for word in ("--set", path))).splitlines():
+        words = line.split()
+        if line and not line.startswith(" "):
+            name = words[0]
+            targets[name] = {}
+        elif words and words[0] in measured_responses and not (name == "straight" and words[0] in measured_responses[1:3]):
+            targets[name][words[0]] = float(words[1])
+    assert set(targets) == set(conditions) and all(len(t) >= 3 for t in targets.values()), targets
+    return targets
+
+
+def diagnose(name, ranks, *settings):
+    with open(name + ".toml", "w") as text:
+        text.write(experiments(reality(*settings)))
+    said = run(demens, "new", name + ".toml")
+    assert "diagnosis:" in said and "held out" in said, said
+    said = run(mpirun, "-n", str(ranks), demens, name + ".h5")
+    for word in ("Where:", "Which:", "How far:", "Assumed:"):
+        assert word in said, said
+    print(said[said.index("Where:"):])
+    assert run(demens, "gap", name + ".h5") == said[said.index("Where:"):]
+    return json.loads(run(demens, "gap", name + ".h5", "--json"))
+
+
+with tempfile.TemporaryDirectory() as folder:
+    os.chdir(folder)
+    factors = ("contact.ball_plate.static_friction=0.31", "contact.ball_plate.restitution=0.62")
+    none = diagnose("none", 2, *factors)
+    assert none["which"]["verdict"] == "within the floor" and not none["which"]["named"], none["which"]
+    assert all(cell["finding"] != "beyond the floor" for cell in none["where"]["cells"])
+
+    soft = diagnose("soft", 2, "material.ball.youngs_modulus=3.5e8", *factors)
+    which, where = soft["which"], soft["where"]
+    assert which["global_p"] < 0.05 and which["none"] < 0.05, which
+    # the contact knows mass over stiffness alone: a softer ball is a heavier one, or a softer plate
+    assert "softening" in which["named"] and which["verdict"] != "unknown", which
+    beyond = [cell["cell"].split(".")[1] for cell in where["cells"] if cell["finding"] == "beyond the floor"]
+    assert beyond and set(beyond) <= {"largest_overlap_um", "contact_time_us"}, beyond
+    absorbed = {effect["effect"]: effect["absorbed_share"] for effect in which["effects"]}
+    assert absorbed["wall_friction"] > 0.9, "friction is a factor: recalibration hides it"
+    closures = {effect["effect"]: effect for effect in soft["how_far"]["effects"]}
+    assert closures["softening"]["closure"] > 0.8 and not closures["softening"]["at_floor"], closures
+
+    # the same bits on another number of ranks, whatever stopped it before
+    os.rename("soft.h5", "two_ranks.h5")
+    again = diagnose("soft", 1, "material.ball.youngs_modulus=3.5e8", *factors)
+    assert again == soft
+
+    plan = run(mpirun, "-n", "2", demens, "gap", "plan", "soft.toml")
+    print(plan)
+    assert "softening" in plan and "cannot be told apart" in plan, plan
+    effects = run(demens, "effects", "soft.toml")
+    assert "softening" in effects and "plate_modulus" in effects and "drum_speed" not in effects, effects
+    wrong = subprocess.run([demens, "gap", "none.toml"], env=environment, capture_output=True, text=True)
+    assert wrong.returncode == 2, wrong
