@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "gap/campaign/campaign_signature.hpp"
+#include "gap/statistics/floor.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,8 @@ namespace {
 using Eigen::MatrixXd, Eigen::VectorXd;
 using ensemble::ExperimentRole;
 
+constexpr double least_shown =
+    0.1; //!< change by a typical amplitude over the floor, below which nothing is seen
 constexpr double prior_variance = 1.0 / 12; //!< of a factor anywhere between its bounds, in the unit cube
 
 //! Mean responses of the base model at theta0. \throws InputError where an experiment has none
@@ -111,16 +114,29 @@ CampaignEvidence evidence_of(ensemble::Campaign const& campaign, Centre centre)
                                         all.cells.size(), all.model.slopes.cols()));
     if (centre == Centre::middle) // nothing is measured yet: the model's own responses stand for it
         all.evidence.measured = means;
+    Eigen::VectorXd const floor = make_floor(all.evidence).deviations();
+    std::string invisible;
     for (auto const& candidate : candidates_of(input)) {
         auto const made = signature_of(candidate, all, points);
         if (!made.reason.empty()) {
             all.notes.push_back(fmt::format("{} is left out: {}", candidate.effect.name, made.reason));
             continue;
         }
+        double const largest =
+            made.signature.first.cwiseQuotient(floor).cwiseAbs().maxCoeff() * made.signature.typical;
+        if (largest < least_shown) {
+            invisible += (invisible.empty() ? "" : ", ") + candidate.effect.name;
+            continue;
+        }
         all.candidates.push_back(candidate);
         all.signatures.push_back(made.signature);
         all.signatures.back().form_error = options.form_error;
     }
+    if (!invisible.empty())
+        all.notes.push_back(
+            fmt::format("not testable, since a typical amplitude changes no cell by a tenth of its "
+                        "floor: {}",
+                        invisible));
     return all;
 }
 

@@ -52,6 +52,11 @@ std::vector<std::string> names_of(std::vector<int> const& places, std::vector<Si
     return names_of({Hypothesis::Kind::effects, places}, effects);
 }
 
+std::string joined(std::vector<int> const& places, std::vector<Signature> const& effects, char const* between)
+{
+    return fmt::format("{}", fmt::join(names_of(places, effects), between));
+}
+
 void write_where(std::string& text, Diagnosis const& found)
 {
     auto const to = std::back_inserter(text);
@@ -89,15 +94,18 @@ void write_which(std::string& text, Diagnosis const& found, Attribution const& a
     fmt::format_to(to, "Which: {}", words(attribution.verdict));
     if (!attribution.named.empty())
         fmt::format_to(to, ": {}", fmt::join(names_of(attribution.named, found.effects()), ", "));
+    for (auto const& group : attribution.named_groups)
+        fmt::format_to(to, ": {}", joined(group, found.effects(), ", "));
     fmt::format_to(to, "\n");
     auto hypotheses = attribution.hypotheses;
     std::stable_sort(hypotheses.begin(), hypotheses.end(),
                      [](auto const& a, auto const& b) { return a.probability > b.probability; });
     for (auto const& scored : hypotheses)
         if (scored.probability >= told_from || scored.hypothesis.kind != Hypothesis::Kind::effects)
-            fmt::format_to(to, "  {:<44} P {:.2f}   ln of the Bayes factor {:+.1f}\n",
-                           fmt::join(names_of(scored.hypothesis, found.effects()), " and "),
-                           scored.probability, scored.log_bayes_factor);
+            fmt::format_to(
+                to, "  {:<44} P {:.2f}   ln of the Bayes factor {:+.1f}\n",
+                fmt::format("{}", fmt::join(names_of(scored.hypothesis, found.effects()), " and ")),
+                scored.probability, scored.log_bayes_factor);
     fmt::format_to(to, "  test of the whole: p {:.3f}; misfit of the winner {:.1f}, at most {:.1f}: {}\n",
                    attribution.global_p, attribution.misfit, attribution.misfit_limit,
                    attribution.gate_holds() ? "adequate" : "not adequate");
@@ -264,11 +272,15 @@ nlohmann::json json_of(Attribution const& attribution, Diagnosis const& found)
                            {"signature_sigmas", typical_change(found, k)},
                            {"absorbed_share", effect.absorbed_share}});
     }
+    nlohmann::json named_groups = nlohmann::json::array();
+    for (auto const& group : attribution.named_groups)
+        named_groups.push_back(names_of(group, found.effects()));
     for (std::size_t g = 0; g < attribution.groups.size(); ++g)
         groups.push_back({{"effects", names_of(attribution.groups[g], found.effects())},
                           {"probability", attribution.group_probabilities[g]}});
     return {{"verdict", words(attribution.verdict)},
             {"named", names_of(attribution.named, found.effects())},
+            {"named_groups", named_groups},
             {"none", attribution.probability_none},
             {"unknown", attribution.probability_unknown},
             {"global_p", attribution.global_p},

@@ -11,7 +11,8 @@ function show_gap(parent) {
         return;
     }
     const named = gap.which.named.length > 0 ? `: ${gap.which.named.map(words_of).join(', ')}` : '';
-    parent.append(element('p', {}, element('b', {}, gap.which.verdict + named),
+    const groups = gap.which.named_groups.map((group) => `: ${group.map(words_of).join(', ')}`).join('; ');
+    parent.append(element('p', {}, element('b', {}, gap.which.verdict + named + groups),
         ` The largest deviation is ${number(gap.where.largest_sigmas, 3)} standard deviations of the floor; by chance, and counting `
         + `all that was tried, so much has p = ${number(gap.which.global_p, 2)}.`));
     const row = element('div', {class: 'columns', style: 'grid-template-columns: repeat(2, 1fr)'});
