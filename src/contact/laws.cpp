@@ -23,10 +23,25 @@ LawSet::LawSet(Material const& i, Material const& j, PairProperties const& pair)
 }
 
 LawSet::LawSet(PairMaterial const& material, PairProperties const& pair)
-    : normal(number(pair.normal), material, pair), tangential(number(pair.tangential), material, pair),
-      rolling(number(pair.rolling), material, pair), cohesion(number(pair.cohesion), material, pair),
-      added(AddedCohesion::is_any(pair) ? 1 : 0, material, pair), cohesion_in_limit(pair.cohesion_in_limit)
+    : LawSet(LawPlaces(pair), material, pair)
 {
+}
+
+LawSet::LawSet(LawPlaces const& at, PairMaterial const& material, PairProperties const& pair)
+    : normal(at.normal, material, pair), tangential(at.tangential, material, pair),
+      rolling(at.rolling, material, pair), cohesion(at.cohesion, material, pair),
+      added(at.added, material, pair), cohesion_in_limit(pair.cohesion_in_limit)
+{
+}
+
+LawPlaces::LawPlaces(PairProperties const& pair)
+    : normal(number(pair.normal)), tangential(number(pair.tangential)), rolling(number(pair.rolling)),
+      cohesion(number(pair.cohesion)), added(AddedCohesion::is_any(pair) ? 1 : 0)
+{
+    if (pair.viscoelastic_time > 0 && pair.normal == NormalLaw::hertz)
+        normal = normal_laws.size();
+    if (pair.friction_weakening > 0 && pair.tangential != TangentialLaw::none)
+        tangential += tangential_laws.size() - 1; // there is none of that kind behind the others
 }
 
 Range range_of(LawSet const& laws, double largest_radius)

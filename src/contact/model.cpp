@@ -144,6 +144,21 @@ std::vector<OptionSpec> const& pair_options()
          .doc = "contact angle of the liquid, `capillary` [deg]",
          .lower = 0.0,
          .upper = 90.0},
+        {.key = "friction_weakening",
+         .default_value = 0.0,
+         .doc =
+             "share of the kinetic friction that is lost at high slip speeds [-]; 0: it is the same at all",
+         .lower = 0.0,
+         .upper = 1.0},
+        {.key = "friction_weakening_speed",
+         .default_value = 0.1,
+         .doc = "slip speed at which half of that share is lost [m/s]",
+         .lower = 1e-9},
+        {.key = "viscoelastic_time",
+         .default_value = 0.0,
+         .doc =
+             "damping over stiffness that adds to that of `hertz` [s]: restitution falls with impact speed",
+         .lower = 0.0},
         {.key = "added_energy_density",
          .default_value = 0.0,
          .doc = "attraction over contact area that adds to that of `cohesion`, whatever it is [J/m^3]",
@@ -219,6 +234,9 @@ PairProperties make_pair(std::string first, std::string second, OptionValues con
     pair.surface_tension = coefficient(values, "surface_tension");
     pair.bridge_volume = coefficient(values, "bridge_volume");
     pair.contact_angle_deg = values.number("contact_angle_deg");
+    pair.friction_weakening = values.number("friction_weakening");
+    pair.friction_weakening_speed = values.number("friction_weakening_speed");
+    pair.viscoelastic_time = values.number("viscoelastic_time");
     pair.added_energy_density = values.number("added_energy_density");
     pair.added_surface_energy = values.number("added_surface_energy");
     pair.added_surface_gap = values.number("added_surface_gap");
@@ -228,6 +246,11 @@ PairProperties make_pair(std::string first, std::string second, OptionValues con
     pair.added_charge_reach = values.number("added_charge_reach");
     pair.friction_limit = read_word(friction_limit_words, values.text("friction_limit"));
     pair.cohesion_in_limit = values.flag("cohesion_in_limit");
+    if (pair.viscoelastic_time > 0 && pair.normal != NormalLaw::hertz)
+        throw InputError("contact." + pair.first + "_" + pair.second + ": viscoelastic_time " +
+                         std::to_string(pair.viscoelastic_time) +
+                         " adds to the damping of normal = \"hertz\"; the law is \"" + values.text("normal") +
+                         "\", whose restitution is the same at all speeds: give 0");
     if (pair.kinetic_friction > pair.static_friction)
         throw InputError(
             "contact." + pair.first + "_" + pair.second + ": kinetic_friction " +

@@ -21,8 +21,7 @@ void add_law_set(Params& params, std::size_t a, std::size_t b, contact::PairProp
     auto const& materials = params.materials;
     params.interaction[a * materials.size() + b] = static_cast<std::uint32_t>(params.laws.size());
     params.laws.emplace_back(materials[a], materials[b], pair);
-    params.kinds.push_back(
-        {pair.normal, pair.tangential, pair.rolling, pair.cohesion, contact::AddedCohesion::is_any(pair)});
+    params.places.emplace_back(pair);
     params.layouts.push_back(state_layout(params.laws.back(), params.options.energy_ledger));
 }
 

@@ -11,18 +11,6 @@
 
 namespace demens::dem {
 
-//! Which laws a pair of materials has, whatever their coefficients.
-struct LawKinds
-{
-    contact::NormalLaw normal;
-    contact::TangentialLaw tangential;
-    contact::RollingLaw rolling;
-    contact::CohesionLaw cohesion;
-    bool added; //!< terms that add to it
-
-    friend bool operator==(LawKinds const&, LawKinds const&) = default;
-};
-
 //! What does not change while a simulation runs. Replicas may share it.
 struct Params
 {
@@ -33,7 +21,7 @@ struct Params
     static constexpr std::uint32_t no_laws = 0xffffffff;
     // Of each law set
     std::vector<contact::LawSet> laws;
-    std::vector<LawKinds> kinds;
+    std::vector<contact::LawPlaces> places;
     std::vector<contact::StateLayout> layouts; //!< of its histories
 };
 

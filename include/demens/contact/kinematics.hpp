@@ -83,6 +83,9 @@ struct CoulombFriction
 {
     double static_coefficient, kinetic_coefficient;
 
+    //! What limits friction in this contact.
+    DEMENS_INLINE DEMENS_FUNCTION CoulombFriction const& in(ContactKinematics const&) const { return *this; }
+
     //! Factor in [0, 1] that brings a trial force of magnitude `trial` [N] to its limit; updates the state
     //! `sliding` (0 sticks, 1 slides).
     DEMENS_INLINE DEMENS_FUNCTION double limit(double trial, double normal_force, double& sliding) const
@@ -93,6 +96,21 @@ struct CoulombFriction
         bool const slides = trial > threshold;
         sliding = slides && normal_force > 0 ? 1.0 : 0.0; // across a gap nothing slides
         return (slides ? kinetic_coefficient * normal_force : size) / size;
+    }
+};
+
+//! Kinetic friction that weakens with the slip speed v: mu_k (1 - w v/(v + v_w)), down to 1 - w of it (the
+//! form of rate-weakening laws, e.g. Rice 2006; here without a state of its own).
+struct WeakeningFriction
+{
+    double static_coefficient, kinetic_coefficient;
+    double share, speed; //!< w, v_w [m/s]
+
+    //! What limits friction in this contact.
+    DEMENS_INLINE DEMENS_FUNCTION CoulombFriction in(ContactKinematics const& contact) const
+    {
+        double const slip = norm(contact.tangent_velocity);
+        return {static_coefficient, kinetic_coefficient * (1 - share * slip / (slip + speed))};
     }
 };
 

@@ -23,21 +23,35 @@
 namespace demens::contact {
 
 // The list of laws. The order is that of the enumerations in law_words.hpp. To add one: its header, its line
-// here, its word there, its test.
-using AnyNormal = OneOf<HertzNormal, HystereticSpringNormal>;
-using AnyTangential = OneOf<NoLaw, MindlinTangential, MindlinRescaleTangential, MindlinDeresiewiczTangential,
-                            LinearCoulombTangential>;
+// here, its word there, its test. Behind those of the words stand laws with a coefficient that others do not
+// have, and that they need nothing of where it is 0.
+using AnyNormal = OneOf<HertzNormal, HystereticSpringNormal, HertzNormalWith<true>>;
+using AnyTangential = OneOf<
+    NoLaw, MindlinTangential, MindlinRescaleTangential, MindlinDeresiewiczTangential, LinearCoulombTangential,
+    MindlinTangentialWith<WeakeningFriction>, MindlinRescaleTangentialWith<WeakeningFriction>,
+    MindlinDeresiewiczTangentialWith<WeakeningFriction>, LinearCoulombTangentialWith<WeakeningFriction>>;
 using AnyRolling = OneOf<NoLaw, ConstantTorqueRolling, ViscousRolling, EpsdRolling, Epsd2Rolling>;
 using AnyCohesion = OneOf<NoLaw, LinearCohesion, Sjkr2Cohesion, VanDerWaalsCohesion, DmtCohesion, JkrCohesion,
                           CapillaryCohesion>;
 //! Terms that add to any cohesion law; none where all their amplitudes are 0.
 using AnyAdded = OneOf<NoLaw, AddedCohesion>;
 
+//! Which laws a pair has, by their places in the lists.
+struct LawPlaces
+{
+    explicit LawPlaces(PairProperties const& pair);
+
+    std::size_t normal, tangential, rolling, cohesion, added;
+
+    friend bool operator==(LawPlaces const&, LawPlaces const&) = default;
+};
+
 //! The laws of one pair of materials, ready to be evaluated on the host or, copied byte by byte, on a device.
 struct LawSet
 {
     LawSet(Material const& i, Material const& j, PairProperties const& pair);
     LawSet(PairMaterial const& material, PairProperties const& pair);
+    LawSet(LawPlaces const& at, PairMaterial const& material, PairProperties const& pair);
 
     AnyNormal normal;
     AnyTangential tangential;

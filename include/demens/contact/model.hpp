@@ -40,6 +40,9 @@ struct PairProperties
     double surface_tension = 0;               //!< [N/m] of `capillary`
     double bridge_volume = 0;                 //!< [m^3] of `capillary`
     double contact_angle_deg = 0;             //!< [deg] of `capillary`
+    double friction_weakening = 0;            //!< [-], share of the kinetic friction lost at high slip speeds
+    double friction_weakening_speed = 0.1;    //!< [m/s], at which half of that is lost
+    double viscoelastic_time = 0;             //!< [s], of `hertz`: damping over stiffness
     double added_energy_density = 0;          //!< [J/m^3], of terms that add to any cohesion law
     double added_surface_energy = 0;          //!< [J/m^2]
     double added_surface_gap = 0;             //!< [m], up to which it pulls with all its force

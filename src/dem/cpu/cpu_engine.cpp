@@ -30,7 +30,7 @@ CpuEngine::CpuEngine(contact::Model const& model, SimulationOptions const& optio
 void CpuEngine::set_model(contact::Model const& model)
 {
     auto params = make_params(model, params_->options);
-    if (params->kinds != params_->kinds || params->interaction != params_->interaction)
+    if (params->places != params_->places || params->interaction != params_->interaction)
         throw InputError("a simulation that runs may get other coefficients, but not other laws, materials "
                          "or pairs of them");
     params_ = std::move(params);

@@ -17,14 +17,14 @@ namespace {
 //! What two simulations must have in common, so that one can go on where the other was.
 struct Fit
 {
-    static constexpr std::uint32_t with_added = 256; //!< beside the word of the cohesion law
+    static constexpr std::size_t with_added = 256; //!< beside the place of the cohesion law
 
     double time_step, skin;
     Vector3 gravity;
     std::vector<double> periods; //!< lower and upper, of x and y
     bool ledger;
     std::string materials;           //!< names, a line each
-    std::vector<std::uint32_t> laws; //!< kinds of each law set
+    std::vector<std::uint32_t> laws; //!< of each law set
     std::vector<std::uint32_t> interaction;
     std::vector<double> surroundings; //!< their numbers; empty: none
 
@@ -41,12 +41,10 @@ struct Fit
                             around.vibration.y, around.vibration.z, around.frequency};
         for (auto const& material : params.materials)
             materials += material.name + '\n';
-        for (auto const& kinds : params.kinds)
-            for (auto const kind :
-                 {static_cast<std::uint32_t>(kinds.normal), static_cast<std::uint32_t>(kinds.tangential),
-                  static_cast<std::uint32_t>(kinds.rolling),
-                  static_cast<std::uint32_t>(kinds.cohesion) + (kinds.added ? with_added : 0)})
-                laws.push_back(kind);
+        for (auto const& at : params.places)
+            for (auto const place :
+                 {at.normal, at.tangential, at.rolling, at.cohesion + with_added * at.added})
+                laws.push_back(static_cast<std::uint32_t>(place));
     }
 };
 

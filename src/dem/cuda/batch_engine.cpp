@@ -59,7 +59,7 @@ void BatchEngine::set_model(contact::Model const& model)
 {
     Params const& old = batch_->params(slot_);
     auto params = make_params(model, old.options);
-    if (params->kinds != old.kinds || params->interaction != old.interaction)
+    if (params->places != old.places || params->interaction != old.interaction)
         throw InputError("a simulation that runs may get other coefficients, but not other laws, materials "
                          "or pairs of them");
     batch_->change_params(slot_, std::move(params));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "demens/contact/law_traits.hpp"
+#include "demens/contact/friction.hpp"
 
 namespace demens::contact {
 
@@ -8,7 +8,8 @@ namespace demens::contact {
 //! ratio of the normal stiffness. Where that falls, as the tangent stiffness of `hertz` does in unloading,
 //! the stored force falls with it, so that F_t^2/(2 K_t) does not grow (as Thornton et al. 2013 for
 //! Mindlin's).
-class LinearCoulombTangential : public LawTraits
+template <class Friction>
+class LinearCoulombTangentialWith : public LawTraits
 {
   public:
     //! Sliding (0 or 1), stiffness [N/m] and force [N] of the previous step.
@@ -16,9 +17,8 @@ class LinearCoulombTangential : public LawTraits
     static constexpr int state_vectors = 1;
     static constexpr bool history_is_load = true;
 
-    LinearCoulombTangential(PairMaterial const&, PairProperties const& pair)
-        : stiffness_ratio_(pair.tangential_stiffness_ratio), friction_{pair.static_friction,
-                                                                       pair.kinetic_friction}
+    LinearCoulombTangentialWith(PairMaterial const&, PairProperties const& pair)
+        : stiffness_ratio_(pair.tangential_stiffness_ratio), friction_(friction_of<Friction>(pair))
     {
     }
 
@@ -36,13 +36,16 @@ class LinearCoulombTangential : public LawTraits
         double const mean = softens ? stiffness : 0.5 * (old + stiffness);
         Vector3 const trial = shrink * turned_into_plane(history.vectors[0], contact.normal) -
                               (mean * contact.time_step) * contact.tangent_velocity;
-        history.vectors[0] = friction_.limit(norm(trial), normal.limit, history.scalars[0]) * trial;
+        history.vectors[0] =
+            friction_.in(contact).limit(norm(trial), normal.limit, history.scalars[0]) * trial;
         return {history.vectors[0], {}, spring_energy(norm_squared(history.vectors[0]), stiffness)};
     }
 
   private:
     double stiffness_ratio_; //!< K_t/K_l
-    CoulombFriction friction_;
+    Friction friction_;
 };
+
+using LinearCoulombTangential = LinearCoulombTangentialWith<CoulombFriction>;
 
 } // namespace demens::contact

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "demens/contact/law_traits.hpp"
+#include "demens/contact/friction.hpp"
 
 namespace demens::contact {
 
@@ -8,7 +8,8 @@ namespace demens::contact {
 //! Coulomb limit, at which s is scaled back, and the damping 2 sqrt(5/6) beta sqrt(S_t m*) v_t while it
 //! sticks (Mindlin 1949; Tsuji et al. 1992). The stiffness follows the overlap while s stays, which creates
 //! energy in loading: `mindlin_rescale` does not.
-class MindlinTangential : public LawTraits
+template <class Friction>
+class MindlinTangentialWith : public LawTraits
 {
   public:
     //! Sliding (0 or 1), tangential displacement [m].
@@ -16,10 +17,10 @@ class MindlinTangential : public LawTraits
     static constexpr int state_vectors = 1;
     static constexpr bool has_dashpot = true;
 
-    MindlinTangential(PairMaterial const& material, PairProperties const& pair)
+    MindlinTangentialWith(PairMaterial const& material, PairProperties const& pair)
         : shear_modulus_(material.effective_shear_modulus),
           damping_(1.8257418583505538 * material.damping * std::sqrt(8 * shear_modulus_)),
-          friction_{pair.static_friction, pair.kinetic_friction}
+          friction_(friction_of<Friction>(pair))
     {
     }
 
@@ -31,7 +32,7 @@ class MindlinTangential : public LawTraits
         Vector3 const trial = turned_into_plane(history.vectors[0], contact.normal) +
                               contact.time_step * contact.tangent_velocity;
         history.vectors[0] =
-            friction_.limit(stiffness * norm(trial), normal.limit, history.scalars[0]) * trial;
+            friction_.in(contact).limit(stiffness * norm(trial), normal.limit, history.scalars[0]) * trial;
         double const viscous = (1 - history.scalars[0]) * damping_ * contact.damping_scale;
         return {-stiffness * history.vectors[0], viscous * contact.tangent_velocity,
                 0.5 * stiffness * norm_squared(history.vectors[0])};
@@ -40,7 +41,9 @@ class MindlinTangential : public LawTraits
   private:
     double shear_modulus_; //!< G* [Pa]
     double damping_;       //!< 2 sqrt(5/6) beta sqrt(8 G*) [Pa^(1/2)]
-    CoulombFriction friction_;
+    Friction friction_;
 };
+
+using MindlinTangential = MindlinTangentialWith<CoulombFriction>;
 
 } // namespace demens::contact

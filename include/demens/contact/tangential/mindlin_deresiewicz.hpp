@@ -1,6 +1,6 @@
 #pragma once
 
-#include "demens/contact/law_traits.hpp"
+#include "demens/contact/friction.hpp"
 
 namespace demens::contact {
 
@@ -8,7 +8,8 @@ namespace demens::contact {
 //! s_max = mu (2 - nu)/(2 (1 - nu)) d = mu E*/(4 G*) d, and the damping of Mindlin's law while it sticks
 //! (Mindlin and Deresiewicz 1953; Langston et al. 1995). A contact that slides is held where this curve of
 //! static friction passes the kinetic force.
-class MindlinDeresiewiczTangential : public LawTraits
+template <class Friction>
+class MindlinDeresiewiczTangentialWith : public LawTraits
 {
   public:
     //! Sliding (0 or 1), tangential displacement [m].
@@ -16,12 +17,12 @@ class MindlinDeresiewiczTangential : public LawTraits
     static constexpr int state_vectors = 1;
     static constexpr bool has_dashpot = true;
 
-    MindlinDeresiewiczTangential(PairMaterial const& material, PairProperties const& pair)
+    MindlinDeresiewiczTangentialWith(PairMaterial const& material, PairProperties const& pair)
         : friction_(pair.static_friction),
           largest_per_overlap_(pair.static_friction * material.effective_youngs_modulus /
                                (4 * material.effective_shear_modulus)),
           damping_(1.8257418583505538 * material.damping * std::sqrt(8 * material.effective_shear_modulus)),
-          slip_{1.0, sliding_share(pair)}
+          slip_(friction_of<Friction>(pair)), coulomb_slip_(slip_limits(slip_))
     {
     }
 
@@ -33,7 +34,7 @@ class MindlinDeresiewiczTangential : public LawTraits
         Vector3 const trial = turned_into_plane(history.vectors[0], contact.normal) +
                               contact.time_step * contact.tangent_velocity;
         double const size = norm(trial);
-        double const share = slip_.limit(size, largest, history.scalars[0]);
+        double const share = slip_in(contact).limit(size, largest, history.scalars[0]);
         history.vectors[0] = share * trial;
         double const slid = share * size / (largest > 1e-300 ? largest : 1e-300);
         double const left = slid < 1 ? 1 - slid : 0.0;
@@ -46,17 +47,29 @@ class MindlinDeresiewiczTangential : public LawTraits
     }
 
   private:
-    //! |s|/s_max where the curve passes the kinetic force.
-    static double sliding_share(PairProperties const& pair)
+    //! Limits of |s|/s_max: sliding, it is held where the curve passes the kinetic force.
+    template <class Coefficients>
+    DEMENS_INLINE DEMENS_FUNCTION static CoulombFriction slip_limits(Coefficients const& friction)
     {
-        double const ratio = pair.static_friction > 0 ? pair.kinetic_friction / pair.static_friction : 1.0;
-        return 1 - std::cbrt((1 - ratio) * (1 - ratio));
+        double const ratio = friction.static_coefficient > 0
+                                 ? friction.kinetic_coefficient / friction.static_coefficient
+                                 : 1.0;
+        return {1.0, 1 - std::cbrt((1 - ratio) * (1 - ratio))};
+    }
+    DEMENS_INLINE DEMENS_FUNCTION CoulombFriction slip_in(ContactKinematics const& contact) const
+    {
+        if constexpr (std::is_same_v<Friction, CoulombFriction>)
+            return coulomb_slip_;
+        else
+            return slip_limits(slip_.in(contact));
     }
 
     double friction_;            //!< mu_s
     double largest_per_overlap_; //!< s_max/d
     double damping_;             //!< 2 sqrt(5/6) beta sqrt(8 G*) [Pa^(1/2)]
-    CoulombFriction slip_;       //!< limits of |s|/s_max
+    Friction slip_;
+    CoulombFriction coulomb_slip_; //!< limits of |s|/s_max, where they are the same for all contacts
 };
+using MindlinDeresiewiczTangential = MindlinDeresiewiczTangentialWith<CoulombFriction>;
 
 } // namespace demens::contact

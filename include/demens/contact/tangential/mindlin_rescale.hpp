@@ -1,6 +1,6 @@
 #pragma once
 
-#include "demens/contact/law_traits.hpp"
+#include "demens/contact/friction.hpp"
 
 namespace demens::contact {
 
@@ -8,7 +8,8 @@ namespace demens::contact {
 //! and the damping 2 sqrt(5/6) beta sqrt(S_t m*) v_t while it sticks (Mindlin 1949; Tsuji et al. 1992). In
 //! unloading the stored force shrinks with the contact radius, sqrt(d/d_old), so that an oblique impact
 //! creates no energy (Thornton et al. 2013).
-class MindlinRescaleTangential : public LawTraits
+template <class Friction>
+class MindlinRescaleTangentialWith : public LawTraits
 {
   public:
     //! Sliding (0 or 1), overlap of the previous step [m], elastic force of the previous step [N].
@@ -17,10 +18,10 @@ class MindlinRescaleTangential : public LawTraits
     static constexpr bool history_is_load = true;
     static constexpr bool has_dashpot = true;
 
-    MindlinRescaleTangential(PairMaterial const& material, PairProperties const& pair)
+    MindlinRescaleTangentialWith(PairMaterial const& material, PairProperties const& pair)
         : shear_modulus_(material.effective_shear_modulus),
           damping_(1.8257418583505538 * material.damping * std::sqrt(8 * shear_modulus_)),
-          friction_{pair.static_friction, pair.kinetic_friction}
+          friction_(friction_of<Friction>(pair))
     {
     }
 
@@ -40,7 +41,8 @@ class MindlinRescaleTangential : public LawTraits
         double const mean = unloads ? stiffness : 0.5 * stiffness * (1 + ratio);
         Vector3 const trial = shrink * turned_into_plane(history.vectors[0], contact.normal) -
                               (mean * contact.time_step) * contact.tangent_velocity;
-        history.vectors[0] = friction_.limit(norm(trial), normal.limit, history.scalars[0]) * trial;
+        history.vectors[0] =
+            friction_.in(contact).limit(norm(trial), normal.limit, history.scalars[0]) * trial;
         history.scalars[1] = contact.overlap;
         double const viscous = (1 - history.scalars[0]) * damping_ * contact.damping_scale;
         return {history.vectors[0], viscous * contact.tangent_velocity,
@@ -50,7 +52,9 @@ class MindlinRescaleTangential : public LawTraits
   private:
     double shear_modulus_; //!< G* [Pa]
     double damping_;       //!< 2 sqrt(5/6) beta sqrt(8 G*) [Pa^(1/2)]
-    CoulombFriction friction_;
+    Friction friction_;
 };
+
+using MindlinRescaleTangential = MindlinRescaleTangentialWith<CoulombFriction>;
 
 } // namespace demens::contact
