@@ -35,13 +35,21 @@ contact::PairProperties const& require_pair(contact::Model const& model, std::st
         fmt::format("{0} meets {1}, but there is no table [contact.{0}_{1}] with their coefficients", a, b));
 }
 
-shape::SizeDistribution const& size_distribution_of(RunInput const& input)
+shape::SizeDistribution size_distribution_of(RunInput const& input)
 {
     std::string const& name = input.experiment.text("size_distribution");
     auto const found = input.size_distributions.find(name);
     if (found == input.size_distributions.end())
         throw InputError(fmt::format("there is no [size_distribution.{}]", name));
-    return found->second;
+    OptionValues const& o = input.experiment;
+    double const factor = o.number("size_factor"), tail = o.number("tail_mass_fraction");
+    auto sizes = factor == 1 ? found->second : found->second.scaled(factor);
+    if (tail > 0 && o.number("tail_mm") == 0)
+        throw InputError(
+            fmt::format("tail_mass_fraction = {:.4g} is the share of spheres of the diameter tail_mm, "
+                        "which is missing; give it",
+                        tail));
+    return tail > 0 ? sizes.with_class(1e-3 * o.number("tail_mm"), tail) : sizes;
 }
 
 std::vector<std::string> size_warnings(shape::SizeDistribution const& sizes, double mass, double density)
@@ -96,6 +104,10 @@ OptionSpecs material_options(std::string const& wall)
 OptionSpecs bed_options()
 {
     return {required(entry("size_distribution", "size_distribution", "sizes of the particles")),
+            number("size_factor", 1, "all diameters of the distribution times this [-]", 1e-3, 1e3),
+            number("tail_mass_fraction", 0,
+                   "share of the mass that fines, or a coarse tail, of one more diameter have [-]", 0.0, 0.9),
+            number("tail_mm", 0, "their diameter [mm]", 0.0),
             number("skin", 0.3,
                    "reach of the neighbour lists beyond contact over the radius of mean volume [-]", 1e-3,
                    2.0)};

@@ -17,7 +17,7 @@ constexpr Vector3 gravity_on_earth = {0, 0, -9.81}; //!< [m/s^2]
 
 //! `material` and `wall_material`. \param wall what is made of it
 OptionSpecs material_options(std::string const& wall);
-//! `size_distribution` and `skin`, of rigs with a bed of particles.
+//! `size_distribution` and what changes it, `skin`, of rigs with a bed of particles.
 OptionSpecs bed_options();
 //! Gravity, time step and energy ledger, of every rig.
 OptionSpecs run_options(Vector3 const& gravity = gravity_on_earth);
@@ -38,8 +38,9 @@ contact::Material const& material_named(contact::Model const& model, std::string
 //! The coefficients of two materials that will meet. \throws InputError that says which table is missing.
 contact::PairProperties const& require_pair(contact::Model const& model, std::string const& a,
                                             std::string const& b);
-//! The distribution that `size_distribution` of the experiment names. \throws InputError
-shape::SizeDistribution const& size_distribution_of(RunInput const& input);
+//! The distribution that `size_distribution` of the experiment names, with what `size_factor` and `tail_...`
+//! change. \throws InputError
+shape::SizeDistribution size_distribution_of(RunInput const& input);
 //! What the spheres of a mass [kg] miss of it and of their sizes: a warning or none. \throws InputError where
 //! a class of sizes gets no sphere
 std::vector<std::string> size_warnings(shape::SizeDistribution const& sizes, double mass, double density);

@@ -94,6 +94,34 @@ SizeDistribution SizeDistribution::scaled(double factor) const
     return {std::move(diameters), fractions_};
 }
 
+SizeDistribution SizeDistribution::with_class(double diameter, double mass_fraction) const
+{
+    if (!(mass_fraction >= 0 && mass_fraction < 1))
+        throw InputError("one more class of sizes may have a mass fraction of 0 to less than 1, not " +
+                         std::to_string(mass_fraction));
+    double const kept = 1 - mass_fraction;
+    std::vector<double> diameters, fractions;
+    auto const add = [&](double d, double fraction) {
+        diameters.push_back(d), fractions.push_back(fraction);
+    };
+    std::size_t const count = diameters_.size();
+    std::size_t i = 0;
+    for (; i < count && diameters_[i] <= diameter; ++i)
+        add(diameters_[i], kept * fractions_[i]);
+    double below = i > 0 ? fractions_[i - 1] : 0.0; // of the others
+    if (i > 0 && i < count)
+        below +=
+            (fractions_[i] - below) * (diameter - diameters_[i - 1]) / (diameters_[i] - diameters_[i - 1]);
+    add(diameter, kept * below);
+    add(diameter, kept * below + mass_fraction);
+    if (i == 0) // they may begin with a step
+        add(diameters_[0], mass_fraction);
+    for (; i < count; ++i)
+        add(diameters_[i], kept * fractions_[i] + mass_fraction);
+    fractions.back() = 1;
+    return {std::move(diameters), std::move(fractions)};
+}
+
 std::vector<double> SizeDistribution::sample_mass(double mass, double density, RandomStream& random) const
 {
     DEMENS_EXPECT(mass >= 0 && density > 0, "a mass of a material");

@@ -30,6 +30,9 @@ class SizeDistribution
     double mean_volume_diameter() const;
     //! The distribution with all diameters times a factor.
     SizeDistribution scaled(double factor) const;
+    //! The distribution with one more class, of a diameter [m], that has a share of the mass of all.
+    //! \throws InputError for a share of 1 or more
+    SizeDistribution with_class(double diameter, double mass_fraction) const;
 
     double smallest() const { return diameters_.front(); }
     double largest() const { return diameters_.back(); }

@@ -59,6 +59,24 @@ TEST(Operation, EveryRigHasTheKeysAndNothingOfThemByDefault)
     EXPECT_FALSE(built(small_drawdown(1)).surroundings.is_any());
 }
 
+TEST(Operation, SizesScaleAndGetATailOrStayBitForBit)
+{
+    auto input = small_drawdown(1);
+    auto const sizes = rig::size_distribution_of(input);
+    EXPECT_EQ(sizes.diameters(), input.size_distributions.at("gravel").diameters());
+    EXPECT_EQ(sizes.fractions(), input.size_distributions.at("gravel").fractions());
+    input.experiment.set("tail_mm", 8.0); // no share: none
+    EXPECT_EQ(rig::size_distribution_of(input).diameters(), sizes.diameters());
+    input.experiment.set("tail_mass_fraction", 0.1);
+    input.experiment.set("size_factor", 0.5);
+    auto const changed = rig::size_distribution_of(input);
+    EXPECT_EQ(changed.diameters(), (std::vector{0.008, 0.008, 0.008, 0.012}));
+    EXPECT_NEAR(changed.quantile(0.05), 0.008, 1e-12);
+    EXPECT_NEAR(changed.quantile(0.55), 0.010, 1e-12);
+    input.experiment.set("tail_mm", 0.0);
+    EXPECT_NE(refusal(input).find("tail_mm"), std::string::npos) << refusal(input);
+}
+
 TEST(Operation, GasAndVibrationReachTheSimulation)
 {
     auto input = small_drawdown(1);

@@ -31,6 +31,30 @@ TEST(SizeDistribution, SampleFollowsTheCumulativeMassCurve)
     EXPECT_DOUBLE_EQ(sizes.quantile(0.15), 0.0125);
 }
 
+TEST(SizeDistribution, OneMoreClassTakesItsShareAndLeavesTheOthersTheirProportions)
+{
+    // Below, at the first, within, between, at the last and above all others; of a curve, of one that begins
+    // with a step, and of classes.
+    for (auto const& sizes :
+         {SizeDistribution({0.010, 0.015, 0.020}, {0, 0.3, 1}), SizeDistribution({0.010, 0.020}, {0.4, 1}),
+          SizeDistribution::from_classes({0.01, 0.02}, {0.25, 0.75})})
+        for (double const d : {0.006, 0.010, 0.013, 0.015, 0.020, 0.05}) {
+            double const w = 0.2;
+            auto const mixed = sizes.with_class(d, w);
+            RandomStream random(3), again(3);
+            auto const sample = mixed.sample_mass(200, 2500, random);
+            EXPECT_NEAR(mass_of(sample, 2500), 200, 0.2);
+            auto const others = sizes.sample_mass(200, 2500, again);
+            for (double const edge : {0.0099, 0.0125, 0.0145, 0.0175, 0.0199, 0.021})
+                EXPECT_NEAR(mass_of(sample, 2500, 0, edge) / 200,
+                            (1 - w) * mass_of(others, 2500, 0, edge) / 200 + (d < edge ? w : 0), 2e-3)
+                    << d << " below " << edge;
+            EXPECT_DOUBLE_EQ(mixed.smallest(), std::min(d, sizes.smallest()));
+            EXPECT_DOUBLE_EQ(mixed.largest(), std::max(d, sizes.largest()));
+        }
+    EXPECT_THROW(SizeDistribution({0.01, 0.02}, {0, 1}).with_class(0.001, 1), InputError);
+}
+
 TEST(SizeDistribution, ClassesGiveOnlyTheirDiameters)
 {
     auto const sizes = SizeDistribution::from_classes({0.01, 0.02}, {0.25, 0.75});
