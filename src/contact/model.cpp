@@ -159,6 +159,13 @@ std::vector<OptionSpec> const& pair_options()
          .doc =
              "damping over stiffness that adds to that of `hertz` [s]: restitution falls with impact speed",
          .lower = 0.0},
+        {.key = "friction_drift_per_s",
+         .default_value = 0.0,
+         .doc = "static and kinetic friction change by this share of what is given here in a second of the "
+                "run [1/s]"},
+        {.key = "cohesion_drift_per_s",
+         .default_value = 0.0,
+         .doc = "... and all coefficients of cohesion, `added_...` ones too, but not charge [1/s]"},
         {.key = "added_energy_density",
          .default_value = 0.0,
          .doc = "attraction over contact area that adds to that of `cohesion`, whatever it is [J/m^3]",
@@ -204,6 +211,30 @@ std::vector<OptionSpec> const& pair_options()
     return specs;
 }
 
+bool drifts(Model const& model)
+{
+    return std::any_of(model.pairs.begin(), model.pairs.end(), [](PairProperties const& pair) {
+        return pair.friction_drift != 0 || pair.cohesion_drift != 0;
+    });
+}
+
+Model drifted(Model const& model, double time)
+{
+    // A law that has a coefficient keeps it: with none it would be another law.
+    auto const share = [time](double rate) { return std::max(1 + rate * time, 1e-9); };
+    Model now = model;
+    for (auto& pair : now.pairs) {
+        for (auto const friction : {&PairProperties::static_friction, &PairProperties::kinetic_friction})
+            pair.*friction *= share(pair.friction_drift);
+        for (auto const cohesion :
+             {&PairProperties::cohesion_energy_density, &PairProperties::surface_energy,
+              &PairProperties::surface_tension, &PairProperties::added_energy_density,
+              &PairProperties::added_surface_energy, &PairProperties::added_surface_tension})
+            pair.*cohesion *= share(pair.cohesion_drift);
+    }
+    return now;
+}
+
 Material make_material(std::string name, OptionValues const& values)
 {
     return {std::move(name), values.number("density"), values.number("youngs_modulus"),
@@ -237,6 +268,8 @@ PairProperties make_pair(std::string first, std::string second, OptionValues con
     pair.friction_weakening = values.number("friction_weakening");
     pair.friction_weakening_speed = values.number("friction_weakening_speed");
     pair.viscoelastic_time = values.number("viscoelastic_time");
+    pair.friction_drift = values.number("friction_drift_per_s");
+    pair.cohesion_drift = values.number("cohesion_drift_per_s");
     pair.added_energy_density = values.number("added_energy_density");
     pair.added_surface_energy = values.number("added_surface_energy");
     pair.added_surface_gap = values.number("added_surface_gap");

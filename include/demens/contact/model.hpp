@@ -43,6 +43,8 @@ struct PairProperties
     double friction_weakening = 0;            //!< [-], share of the kinetic friction lost at high slip speeds
     double friction_weakening_speed = 0.1;    //!< [m/s], at which half of that is lost
     double viscoelastic_time = 0;             //!< [s], of `hertz`: damping over stiffness
+    double friction_drift = 0;                //!< [1/s], of both frictions; 0: they stay
+    double cohesion_drift = 0;                //!< [1/s], of all that attracts
     double added_energy_density = 0;          //!< [J/m^3], of terms that add to any cohesion law
     double added_surface_energy = 0;          //!< [J/m^2]
     double added_surface_gap = 0;             //!< [m], up to which it pulls with all its force
@@ -60,6 +62,11 @@ struct Model
     std::vector<Material> materials;
     std::vector<PairProperties> pairs;
 };
+
+//! Whether coefficients of a pair drift in time.
+bool drifts(Model const& model);
+//! The model at a time [s]: coefficients that drift are 1 + rate x time of those given, and never quite 0.
+Model drifted(Model const& model, double time);
 
 //! Keys of a `[material.NAME]` table, with units, defaults and ranges.
 std::vector<OptionSpec> const& material_options();

@@ -13,6 +13,7 @@ namespace demens::rig {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr auto coefficients_of = "time of drifting coefficients"; // a note [s]
 
 Profile profile_of(ProfileReading const& reading, ProfileReading::Points points)
 {
@@ -104,7 +105,13 @@ ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team, RunState const&
     apparatus.options.team = team_;
     apparatus.options.engine = chosen_engine(programme_.engine, apparatus, team_ != nullptr);
     auto const stage = state.progress.model_of;
-    auto const& model = stage ? *programme_.stages[*stage].model : apparatus.model;
+    auto model = stage ? *programme_.stages[*stage].model : apparatus.model;
+    if (contact::drifts(model)) {
+        drifting_ = model;
+        auto const since = state.progress.notes.find(coefficients_of);
+        if (since != state.progress.notes.end()) // else it is before the first look
+            model = contact::drifted(model, since->second);
+    }
     bench_.emplace(
         Bench{dem::Simulation::restore(model, apparatus.options, state.simulation), state.progress});
 }
@@ -159,6 +166,8 @@ void ProgrammeRun::build()
     apparatus.options.team = team_;
     apparatus.options.engine = chosen_engine(programme_.engine, apparatus, team_ != nullptr);
     bench_.emplace(Bench{dem::Simulation(apparatus.model, apparatus.options)});
+    if (contact::drifts(apparatus.model))
+        drifting_ = apparatus.model;
     bench_->simulation.add(apparatus.bodies);
     for (auto const& wall : apparatus.walls)
         bench_->simulation.add(wall);
@@ -186,7 +195,7 @@ void ProgrammeRun::begin_stage()
     }
     progress.begins[progress.stage] = bench_->simulation.time();
     if (stage().model) {
-        bench_->simulation.set_model(*stage().model);
+        set_model(*stage().model);
         progress.model_of = progress.stage;
     }
     if (stage().enter)
@@ -195,6 +204,26 @@ void ProgrammeRun::begin_stage()
     progress.looks = progress.steps_to_look = 0;
     auto const rows = progress.series.rows();
     progress.rows[progress.stage] = {rows, rows};
+}
+
+void ProgrammeRun::set_model(contact::Model const& model)
+{
+    drifting_.reset();
+    if (contact::drifts(model)) {
+        drifting_ = model;
+        drift();
+    } else {
+        bench_->simulation.set_model(model);
+    }
+}
+
+void ProgrammeRun::drift()
+{
+    if (!drifting_)
+        return;
+    double const now = bench_->simulation.time();
+    bench_->simulation.set_model(contact::drifted(*drifting_, now));
+    bench_->progress.notes[coefficients_of] = now;
 }
 
 void ProgrammeRun::look()
@@ -209,9 +238,9 @@ void ProgrammeRun::look()
         sample(look);
     ++progress.looks;
     if (is_stage_over(look))
-        end_stage(look);
-    else
-        progress.steps_to_look = programme_.steps_per_look;
+        return end_stage(look);
+    progress.steps_to_look = programme_.steps_per_look;
+    drift();
 }
 
 void ProgrammeRun::sample(Look& look)

@@ -66,6 +66,32 @@ TEST(PairTable, WhatNoLawNeedsIsZero)
     EXPECT_FALSE(pair.cohesion_in_limit);
 }
 
+TEST(Drift, CoefficientsChangeLinearlyInTimeAndNothingElseDoes)
+{
+    auto values = smallest_table();
+    values.set("added_surface_energy", 0.02);
+    values.set("added_charge_pressure", 3.0);
+    values.set("surface_energy", 0.05);
+    contact::Model model{{}, {contact::make_pair("a", "b", values)}};
+    EXPECT_FALSE(contact::drifts(model));
+    values.set("friction_drift_per_s", -0.1);
+    values.set("cohesion_drift_per_s", 0.5);
+    model.pairs.push_back(contact::make_pair("a", "a", values));
+    EXPECT_TRUE(contact::drifts(model));
+    auto const later = contact::drifted(model, 4);
+    EXPECT_DOUBLE_EQ(later.pairs[1].static_friction, 0.6 * 0.3);
+    EXPECT_DOUBLE_EQ(later.pairs[1].kinetic_friction, 0.6 * 0.3);
+    EXPECT_DOUBLE_EQ(later.pairs[1].surface_energy, 3 * 0.05);
+    EXPECT_DOUBLE_EQ(later.pairs[1].added_surface_energy, 3 * 0.02);
+    EXPECT_EQ(later.pairs[1].added_charge_pressure, 3);
+    EXPECT_EQ(later.pairs[1].restitution, 0.5);
+    EXPECT_EQ(later.pairs[0].static_friction, 0.3);
+    EXPECT_EQ(later.pairs[0].added_surface_energy, 0.02);
+    // It ends near 0, not below.
+    EXPECT_GE(contact::drifted(model, 1000).pairs[1].static_friction, 0);
+    EXPECT_LT(contact::drifted(model, 1000).pairs[1].static_friction, 1e-6);
+}
+
 TEST(PairTable, KineticFrictionIsAtMostStatic)
 {
     auto values = smallest_table();

@@ -59,6 +59,10 @@ class ProgrammeRun
 
   private:
     void build();
+    //! Whose coefficients hold from now on.
+    void set_model(contact::Model const& model);
+    //! Brings coefficients that drift to the present; readers see them from the next step on.
+    void drift();
     void begin_stage();
     void look();
     void sample(Look& look);
@@ -70,7 +74,8 @@ class ProgrammeRun
 
     Programme programme_;
     dem::Team* team_;
-    std::optional<Bench> bench_; //!< none before the first step
+    std::optional<Bench> bench_;             //!< none before the first step
+    std::optional<contact::Model> drifting_; //!< as given at the beginning; none: no coefficient drifts
     std::function<void(Bench&, std::string const&)> watcher_;
     RunStatus status_ = RunStatus::not_run;
     std::string reason_;

@@ -198,6 +198,25 @@ TEST(ProgrammeRun, GoesOnFromItsRecordWithTheSameBits)
     }
 }
 
+TEST(ProgrammeRun, CoefficientsThatDriftGoOnFromItsRecordToo)
+{
+    auto const& info = *rig::find_rig("drawdown");
+    auto input = demens::testing::small_drawdown(1);
+    auto const steady = info.run(input, {});
+    input.model.pairs[0].friction_drift = 0.3;
+    auto const whole = info.run(input, {});
+    ASSERT_EQ(whole.status, RunStatus::finished) << whole.reason;
+    EXPECT_NE(whole.responses, steady.responses);
+    for (std::int64_t const part : {whole.steps / 4, whole.steps * 3 / 4}) {
+        rig::ProgrammeRun first(info.describe(input), nullptr);
+        first.advance(part);
+        rig::ProgrammeRun second(info.describe(input), nullptr, first.save());
+        second.advance(whole.steps);
+        EXPECT_EQ(second.result().responses, whole.responses);
+        EXPECT_EQ(second.result().series.columns, whole.series.columns);
+    }
+}
+
 TEST(ProgrammeRun, RefusesTheRecordOfAnotherProgramme)
 {
     auto const& info = *rig::find_rig("drawdown");
