@@ -17,9 +17,9 @@ constexpr std::array<Word<Ends>, 4> end_words = {{{Ends::turning, "turning"},
                                                   {Ends::resting, "resting"},
                                                   {Ends::frictionless, "frictionless"},
                                                   {Ends::periodic, "periodic"}}};
-constexpr char const* smooth_window = "frictionless end"; // a material that no campaign can name
-constexpr double pours_to = 0.55;                         //!< solid fraction that poured spheres reach
-constexpr double cannot_tell_below = 10;                  //!< samples, fewer of which have no statistics
+constexpr char const* own_end = "end of the drum"; // a material that no campaign can name
+constexpr double pours_to = 0.55;                  //!< solid fraction that poured spheres reach
+constexpr double cannot_tell_below = 10;           //!< samples, fewer of which have no statistics
 
 //! The one of two keys that is given (not 0). \throws InputError when both or none are
 std::string given_one(OptionValues const& o, std::string const& a, std::string const& b,
@@ -66,19 +66,23 @@ double mass_of(OptionValues const& o, DrumState const& drum, double bulk_density
     return o.number("particles") * mean_mass;
 }
 
-//! The ends as a material of their own: as another one, but that nothing holds on to it.
-void add_smooth_window(contact::Model& model, std::string const& like, std::string const& particles)
+//! The ends as a material of their own: as another one, but that friction is so many times that one's, and
+//! that nothing holds on to it where that is 0.
+void add_own_end(contact::Model& model, std::string const& like, std::string const& particles,
+                 double friction)
 {
-    auto window = material_named(model, like);
-    window.name = smooth_window;
-    model.materials.push_back(window);
+    auto end = material_named(model, like);
+    end.name = own_end;
+    model.materials.push_back(end);
     for (auto pair : std::vector(model.pairs)) {
         if (!((pair.first == like && pair.second == particles) ||
               (pair.first == particles && pair.second == like)))
             continue;
         pair.first = particles;
-        pair.second = smooth_window;
-        pair.static_friction = pair.kinetic_friction = pair.rolling_friction = pair.rolling_viscosity = 0;
+        pair.second = own_end;
+        pair.static_friction *= friction, pair.kinetic_friction *= friction;
+        if (friction == 0)
+            pair.rolling_friction = pair.rolling_viscosity = 0;
         model.pairs.push_back(pair);
         return;
     }
@@ -166,6 +170,8 @@ OptionSpecs options()
           choice("ends", texts_of(end_words),
                  "end walls turn with the drum, stand still or have no friction, or the drum goes on "
                  "periodically"),
+          number("end_friction_factor", 1,
+                 "friction of the end walls over that of their material; 0: as `frictionless` [-]", 0),
           number("tilt_deg", 0, "of the axis against the horizontal [deg]", -60, 60),
           number("speed_rpm", 0, "speed [1/min]; 0: from froude", 1e-9),
           number("froude", 0, "omega^2 R/g [-]; 0: from speed_rpm", 1e-15),
@@ -200,9 +206,10 @@ Setup::Setup(RunInput const& input)
     bulk_density = bulk_density_of(o, density);
     drum = state_of(o, bulk_density, density / sizes.spheres_per_volume());
     tilt = o.number("tilt_deg") * pi / 180;
-    if (ends == Ends::frictionless) {
-        add_smooth_window(model, end_material, material);
-        end_material = smooth_window;
+    double const friction = ends == Ends::frictionless ? 0.0 : o.number("end_friction_factor");
+    if (friction != 1 && ends != Ends::periodic) {
+        add_own_end(model, end_material, material, friction);
+        end_material = own_end;
     }
     discard_turns = o.number("discard_turns");
     measure_turns = o.number("measure_turns");

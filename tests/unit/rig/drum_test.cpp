@@ -1,6 +1,7 @@
 // The rig drum: what it measures agrees with what an ideal bed would give, and what it refuses.
 #include "demens/base/error.hpp"
 #include "demens/observe/circular_segment.hpp"
+#include "demens/rig/programme/programme.hpp"
 #include "demens/rig/rig.hpp"
 
 #include <gtest/gtest.h>
@@ -103,6 +104,28 @@ TEST(Drum, EnergyIsThatOfTheBedThatTheCameraSees)
     EXPECT_NEAR(time.back(), 0.6 * 2 * std::numbers::pi * std::sqrt(0.01 / (1e-2 * 9.81)), 0.03);
     EXPECT_NEAR(static_cast<double>(time.size()), 121, 3);
     EXPECT_EQ(result.snapshots.size(), 2u);
+}
+
+TEST(Drum, EndsMayHaveAShareOfTheFrictionOfTheirMaterial)
+{
+    auto const model_with = [](double factor, std::string const& ends = "turning") {
+        auto input = small_drum();
+        input.experiment.set("ends", ends);
+        input.experiment.set("end_friction_factor", factor);
+        return rig::find_rig("drum")->describe(input).build().model;
+    };
+    auto const base = small_drum().model;
+    EXPECT_EQ(model_with(1).pairs.size(), base.pairs.size());
+    auto const half = model_with(0.5);
+    ASSERT_EQ(half.pairs.size(), base.pairs.size() + 1);
+    auto const wall = std::find_if(base.pairs.begin(), base.pairs.end(),
+                                   [](auto const& pair) { return pair.first != pair.second; });
+    EXPECT_DOUBLE_EQ(half.pairs.back().static_friction, 0.5 * wall->static_friction);
+    EXPECT_EQ(half.pairs.back().rolling_friction, wall->rolling_friction);
+    for (auto const& none : {model_with(0), model_with(3, "frictionless")}) {
+        EXPECT_EQ(none.pairs.back().static_friction, 0);
+        EXPECT_EQ(none.pairs.back().rolling_friction, 0);
+    }
 }
 
 TEST(Drum, KeepsTheMeanSurface)
