@@ -102,6 +102,13 @@ std::string known_of_factor(Campaign const& campaign, std::size_t factor)
                        interval->data[2 * factor], interval->data[2 * factor + 1]);
 }
 
+//! Whether a campaign is calibrated, and waves of its diagnosis are still to run.
+bool is_diagnosis_open(Campaign const& campaign)
+{
+    return campaign.input.gap && !campaign.ended.empty() && !campaign.waves.empty() &&
+           (calibrates(campaign.waves.back().purpose) || !is_complete(campaign.waves.back()));
+}
+
 } // namespace
 
 std::string best_fit_text(Campaign const& campaign)
@@ -136,7 +143,10 @@ std::string status_text(fs::path const& file, Rigs const& rigs)
     auto const owner = lock_owner(file);
     auto text = fmt::format(
         "campaign   {}\nfile       {}\nstate      {}\n\n", campaign.input.name, file.string(),
-        !owner.empty()            ? "running, " + owner
+        !owner.empty() ? "running, " + owner
+        : is_diagnosis_open(campaign)
+            ? fmt::format("calibrated ({}); the diagnosis of its gap goes on with: mpirun -n N demens {}",
+                          campaign.ended, file.string())
         : !campaign.ended.empty() ? "ended: " + campaign.ended
                                   : "not running; go on with: mpirun -n N demens " + file.string());
     text += fmt::format("{:<6} {:<14} {:>6} {:>6} {:>8} {:>7} {:>13}\n", "wave", "purpose", "runs", "done",

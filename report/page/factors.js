@@ -91,12 +91,14 @@ function show_correlations(parent, optimum) {
         + 'two factors is known.'));
 }
 
+const fitted_runs = calibrating_runs.filter((run) => run.outcome === 'finished');
+
 function show_responses(parent) {
-    if (finished_runs.length === 0) {
+    if (fitted_runs.length === 0) {
         parent.append(element('p', {class: 'note'}, 'No run has finished yet.'));
         return;
     }
-    legend(parent, [...new Set(finished_runs.map((run) => run.purpose))].map((purpose) => [purpose, purpose_colour(purpose)])
+    legend(parent, [...new Set(fitted_runs.map((run) => run.purpose))].map((purpose) => [purpose, purpose_colour(purpose)])
         .concat(campaign.optimum ? [['best point', colours.best]] : []));
     parent.append(element('p', {class: 'note'}, 'Dots are runs'
         + (campaign.surrogate ? ', darker the closer their other factors are to the optimum of the surrogates. Line: surrogate '
@@ -127,7 +129,7 @@ function show_response_row(parent, target) {
     const across = Math.min(campaign.factors.length, 4);
     const row = element('div', {class: 'columns', style: `grid-template-columns: repeat(${Math.max(across, 3)}, 1fr)`});
     parent.append(row);
-    const runs = finished_runs.filter((run) => run.experiment === target.experiment && known(run.responses[target.response]));
+    const runs = fitted_runs.filter((run) => run.experiment === target.experiment && known(run.responses[target.response]));
     const thinned = note_of_drawn(runs, 'runs');
     if (thinned) row.before(element('p', {class: 'note'}, thinned));
     const values = runs.map((run) => run.responses[target.response]);

@@ -163,7 +163,7 @@ function show_deviations(parent) {
 
 function show_convergence(parent) {
     const last_run = new Map();
-    for (const run of all_runs) last_run.set(run.point, run);
+    for (const run of calibrating_runs) last_run.set(run.point, run);
     const points = (campaign.history.point_wmse || []).map((wmse, point) => ({point, wmse, last: last_run.get(point)}))
         .filter((row) => known(row.wmse) && row.last)
         .map((row) => ({run: row.last.run + 1, wmse: row.wmse, purpose: row.last.purpose,
@@ -179,7 +179,7 @@ function show_convergence(parent) {
     const all = [...points, ...best].map((row) => row.wmse).concat(campaign.stop.wmse > 0 ? [campaign.stop.wmse] : []);
     const [least, most] = range_of(all);
     const positive = least > 0;
-    const starts = campaign.waves.slice(1).filter((wave) => wave.runs.length > 0)
+    const starts = campaign.waves.slice(1).filter((wave) => wave.runs.length > 0 && wave.runs[0].run < calibrating_runs.length)
         .map((wave) => ({run: wave.runs[0].run + 0.5}));
     legend(parent, [...new Set(points.map((row) => row.purpose))].map((purpose) => [purpose, purpose_colour(purpose)])
         .concat([['best so far', colours.best]]));
@@ -187,7 +187,7 @@ function show_convergence(parent) {
         width: 1000, height: 280,
         data: [{name: 'points', values: drawn(points)}, {name: 'best', values: best}, {name: 'waves', values: starts},
                {name: 'stop', values: campaign.stop.wmse > 0 ? [{wmse: campaign.stop.wmse}] : []}],
-        scales: [linear('x', 'width', [0, all_runs.length + 1], {nice: false}),
+        scales: [linear('x', 'width', [0, calibrating_runs.length + 1], {nice: false}),
                  positive ? logarithmic('y', 'height', [least * 0.8, most * 1.25])
                           : linear('y', 'height', extent(all))],
         axes: [axis('bottom', 'x', 'runs', {grid: false, tickCount: 10, tickMinStep: 1, format: 'd'}),

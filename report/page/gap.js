@@ -10,8 +10,8 @@ function show_gap(parent) {
         parent.append(element('p', {class: 'note'}, `Nothing can be diagnosed: ${gap.failure}.`));
         return;
     }
-    const named = gap.which.named.length > 0 ? `: ${gap.which.named.map(words_of).join(', ')}` : '';
-    const groups = gap.which.named_groups.map((group) => `: ${group.map(words_of).join(', ')}`).join('; ');
+    const named = gap.which.named.length > 0 ? `: ${gap.which.named.map((name) => words_of(name)).join(', ')}` : '';
+    const groups = gap.which.named_groups.map((group) => `: ${group.map((name) => words_of(name)).join(', ')}`).join('; ');
     parent.append(element('p', {}, element('b', {}, gap.which.verdict + named + groups),
         ` The largest deviation is ${number(gap.where.largest_sigmas, 3)} standard deviations of the floor; by chance, and counting `
         + `all that was tried, so much has p = ${number(gap.which.global_p, 2)}.`));
@@ -61,7 +61,7 @@ function show_gap_cells(parent, where) {
 function show_gap_hypotheses(parent, which) {
     const box = element('div');
     parent.append(box);
-    const shown = which.hypotheses.map((one) => ({label: one.effects.map(words_of).join(' and '), p: one.probability}))
+    const shown = which.hypotheses.map((one) => ({label: one.effects.map((name) => words_of(name)).join(' and '), p: one.probability}))
         .sort((a, b) => b.p - a.p).filter((one, place) => place < 3 || one.p >= 0.02).slice(0, 12);
     plot(box, 'gap-hypotheses', {
         width: 300, height: Math.max(80, 20 * shown.length),
@@ -73,7 +73,7 @@ function show_gap_hypotheses(parent, which) {
             x2: {scale: 'x', value: 0}, fill: {value: colours.accent}, tooltip: {signal: "datum.label + ': ' + format(datum.p, '.3f')"}})],
     });
     for (const group of which.groups.filter((one) => one.effects.length > 1))
-        box.append(element('p', {class: 'note'}, `Cannot be told apart by these experiments: ${group.effects.map(words_of).join(', ')}.`));
+        box.append(element('p', {class: 'note'}, `Cannot be told apart by these experiments: ${group.effects.map((name) => words_of(name)).join(', ')}.`));
     const acting = which.effects.filter((effect) => effect.probability >= 0.02).sort((a, b) => b.probability - a.probability);
     for (const effect of acting)
         box.append(element('p', {class: 'note'}, `${words_of(effect.effect)}: amplitude ${number(effect.amplitude, 3)} ± `

@@ -7,7 +7,7 @@ for (const wave of campaign.waves)
 
 const colours = {
     ink: '#1d2733', soft: '#5d6b7a', line: '#dde3ea', accent: '#1f5fa8', best: '#c2412d', band: '#2f7d4f', failed: '#d9534a',
-    design: '#8b9db3', screening: '#a58fc2', search: '#1f5fa8', confirmation: '#c98a1b',
+    design: '#8b9db3', screening: '#a58fc2', search: '#1f5fa8', confirmation: '#c98a1b', signatures: '#6b9c8a', closure: '#2f7d4f',
 };
 const purpose_colour = (purpose) => colours[purpose] || colours.accent;
 
@@ -84,6 +84,8 @@ function target_info(index) {
 const all_targets = campaign.targets.map((_, index) => target_info(index));
 const all_runs = campaign.waves.flatMap((wave) => wave.runs.map((run) => ({...run, purpose: wave.purpose})));
 const finished_runs = all_runs.filter((run) => run.outcome === 'finished');
+// Those that factors are fitted to; in the others effects act that the model lacks.
+const calibrating_runs = all_runs.filter((run) => run.purpose !== 'signatures' && run.purpose !== 'closure');
 const failed_runs = all_runs.filter((run) => run.outcome === 'failed');
 const several_experiments = campaign.experiments.length > 1;
 
