@@ -34,7 +34,7 @@ char const* sign_text(ensemble::EffectSign sign)
 int list_effects(std::string const& file)
 {
     std::vector<std::string> possible;
-    std::vector<gap::Candidate> own;
+    std::vector<gap::CandidateEffect> own;
     if (!file.empty()) {
         auto const input = ensemble::CampaignInput::from_file(file);
         for (auto const& candidate : gap::candidates_of(input)) {
@@ -72,7 +72,7 @@ int show_gap(std::string const& file, bool as_json)
     return success;
 }
 
-int plan_ahead(std::string const& toml, std::string const& output)
+int plan_ahead(std::string const& toml, std::string const& output, bool as_json)
 {
     fs::path file = output;
     if (file.empty())
@@ -85,7 +85,8 @@ int plan_ahead(std::string const& toml, std::string const& output)
         return drained;
     }
     if (ensemble::rank_of(MPI_COMM_WORLD) == 0)
-        fmt::print("{}", gap::plan_text(session.campaign()));
+        fmt::print("{}", as_json ? gap::plan_document(session.campaign()).dump(2) + "\n"
+                                 : gap::plan_text(session.campaign()));
     return success;
 }
 
@@ -118,10 +119,11 @@ void add_gap(CLI::App& program, Action& action)
         "plan",
         "before anything is measured: what these experiments can tell apart; under mpirun on all ranks");
     plan->add_option("FILE.toml", options->toml, "campaign as its author writes it")->required();
+    plan->add_flag("--json", options->json, "the same as JSON");
     plan->add_option("-o,--output", options->output, "file for its runs; default FILE.plan.h5");
     plan->callback([options, &action] {
         action = [options] {
-            return on_all_ranks([&] { return plan_ahead(options->toml, options->output); });
+            return on_all_ranks([&] { return plan_ahead(options->toml, options->output, options->json); });
         };
     });
     command->callback([options, command, &action] {

@@ -16,9 +16,9 @@ struct CampaignEvidence
     CalibratedModel model;
     std::vector<CampaignCell> cells; //!< fitted ones, as in `evidence`
     Evidence evidence;
-    std::vector<Candidate> candidates; //!< effects whose signatures are known
-    std::vector<Signature> signatures; //!< theirs
-    std::vector<std::string> notes;    //!< what was assumed or is missing, one line each
+    std::vector<CandidateEffect> candidates; //!< effects whose signatures are known
+    std::vector<Signature> signatures;       //!< theirs
+    std::vector<std::string> notes;          //!< what was assumed or is missing, one line each
 };
 
 //! From the calibration's waves and those of signatures. The prior of the factors is as wide as their ranges.

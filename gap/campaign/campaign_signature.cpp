@@ -24,7 +24,7 @@ Sign sign_of(ensemble::EffectSign sign)
     return Sign::either;
 }
 
-Signature empty_signature(Candidate const& candidate, Eigen::Index cells)
+Signature empty_signature(CandidateEffect const& candidate, Eigen::Index cells)
 {
     return {.name = candidate.effect.name,
             .first = VectorXd::Zero(cells),
@@ -32,7 +32,7 @@ Signature empty_signature(Candidate const& candidate, Eigen::Index cells)
             .sign = sign_of(candidate.effect.sign)};
 }
 
-Signature measured_signature(Candidate const& candidate, CampaignEvidence const& of)
+Signature measured_signature(CandidateEffect const& candidate, CampaignEvidence const& of)
 {
     auto signature = empty_signature(candidate, of.evidence.size());
     for (Eigen::Index i = 0; i < signature.first.size(); ++i) {
@@ -169,7 +169,7 @@ std::vector<VectorXd> interaction_changes(CalibratedModel const& model)
     return changes;
 }
 
-MadeSignature signature_of(Candidate const& candidate, CampaignEvidence const& of,
+MadeSignature signature_of(CandidateEffect const& candidate, CampaignEvidence const& of,
                            std::vector<SimulatedPoint> const& points)
 {
     if (candidate.measured)

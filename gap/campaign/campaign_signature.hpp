@@ -17,7 +17,7 @@ struct MadeSignature
 //! First and second order by least squares over its amplitudes at theta0, interaction with each factor by the
 //! difference of its change on either side of theta0, where these were simulated.
 //! \param of the cells, the base model's means and slopes \param points of the waves of signatures
-MadeSignature signature_of(Candidate const& candidate, CampaignEvidence const& of,
+MadeSignature signature_of(CandidateEffect const& candidate, CampaignEvidence const& of,
                            std::vector<SimulatedPoint> const& points);
 
 //! Amplitudes at which an effect is simulated: the first look, and all of them in full.

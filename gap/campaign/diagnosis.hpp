@@ -26,6 +26,7 @@ class Diagnosis
     Floor const& floor() const { return floor_; }
     Projection const& projection() const { return projection_; }
     Hypotheses const& hypotheses() const { return hypotheses_; }
+    Attributor const& attributor() const { return attributor_; }
     Located const& located() const { return located_; }
     std::vector<CellGroup> const& groups() const { return groups_; }
     Attribution const& attribution() const { return attribution_; }

@@ -61,7 +61,7 @@ class PlanWriter
     WavePlan plan_;
 };
 
-std::vector<ensemble::Effect> simulated(std::vector<Candidate> const& candidates)
+std::vector<ensemble::Effect> simulated(std::vector<CandidateEffect> const& candidates)
 {
     std::vector<ensemble::Effect> effects;
     for (auto const& candidate : candidates)

@@ -2,6 +2,7 @@
 
 #include "gap/campaign/diagnosis.hpp"
 #include "gap/campaign/next_wave.hpp"
+#include "gap/statistics/rehearse.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -9,6 +10,92 @@
 #include <iterator>
 
 namespace demens::gap {
+namespace {
+
+constexpr int twins = 200; //!< of each class
+
+Rehearsal rehearsed(Diagnosis const& found)
+{
+    return rehearse(found.evidence(), found.projection(), found.hypotheses(), found.attributor(),
+                    {.twins = twins});
+}
+
+std::string name_of(RehearsedRow const& row, Diagnosis const& found)
+{
+    return row.effect >= 0    ? found.effects()[static_cast<std::size_t>(row.effect)].name
+           : row.effect == -1 ? "none"
+                              : "outside the list";
+}
+
+std::string percent(double share)
+{
+    return fmt::format("{:.0f} %", 100 * share);
+}
+
+//! What twins of each cause are taken for.
+void write_confusion(std::string& text, Diagnosis const& found, Rehearsal const& rehearsal)
+{
+    auto const to = std::back_inserter(text);
+    fmt::format_to(to,
+                   "{} twins of each cause, diagnosed:\n  {:<24}{:>8}{:>10}{:>10}{:>10}{:>15}  taken for\n",
+                   twins, "truth", "first", "in group", "named", "wrongly", "beyond floor");
+    for (auto const& row : rehearsal.rows) {
+        Eigen::VectorXd others = row.answers;
+        Eigen::Index const own = row.effect >= 0 ? 1 + row.effect : row.effect == -1 ? 0 : others.size() - 1;
+        double const first = others[own];
+        others[own] = 0;
+        Eigen::Index most = 0;
+        double const share = others.maxCoeff(&most);
+        std::string const taken = most == 0 ? "none"
+                                  : most == others.size() - 1
+                                      ? "unknown"
+                                      : found.effects()[static_cast<std::size_t>(most - 1)].name;
+        fmt::format_to(to, "  {:<24}{:>8}{:>10}{:>10}{:>10}{:>15}  {}\n", name_of(row, found), percent(first),
+                       row.effect >= 0 ? percent(row.in_group) : "", percent(row.named),
+                       percent(row.wrongly_named), percent(row.beyond_floor),
+                       share > 0.05 ? fmt::format("{} ({})", taken, percent(share)) : "");
+    }
+}
+
+} // namespace
+
+nlohmann::json plan_document(ensemble::Campaign const& campaign)
+{
+    Diagnosis const found(campaign, Centre::middle);
+    auto const distances = found.distances();
+    auto const rehearsal = rehearsed(found);
+    nlohmann::json effects = nlohmann::json::array(), rows = effects, groups = effects;
+    for (std::size_t k = 0; k < found.effects().size(); ++k) {
+        auto const place = static_cast<Eigen::Index>(k);
+        effects.push_back(
+            {{"effect", found.effects()[k].name},
+             {"typical", found.effects()[k].typical},
+             {"absorbed_share", distances.absorbed[place]},
+             {"distance", distances.norms[place]},
+             {"smallest_detectable", distances.smallest_detectable[place] * found.effects()[k].typical}});
+    }
+    for (auto const& row : rehearsal.rows)
+        rows.push_back({{"truth", name_of(row, found)},
+                        {"answers", std::vector<double>(row.answers.begin(), row.answers.end())},
+                        {"in_group", row.in_group},
+                        {"named", row.named},
+                        {"wrongly_named", row.wrongly_named},
+                        {"flagged", row.flagged},
+                        {"beyond_floor", row.beyond_floor}});
+    for (auto const& group : confusable_groups(distances)) {
+        nlohmann::json names = nlohmann::json::array();
+        for (int const k : group)
+            names.push_back(found.effects()[static_cast<std::size_t>(k)].name);
+        groups.push_back(names);
+    }
+    auto const price = price_of(campaign.input);
+    return {{"effects", effects},
+            {"groups", groups},
+            {"twins", twins},
+            {"confusion", rows}, // answers: none, the effects in their order, unknown
+            {"runs", {{"screening", price.screening}, {"full", price.full}, {"held_out", price.held_out}}},
+            {"notes", found.campaign().notes}};
+}
 
 std::string plan_text(ensemble::Campaign const& campaign)
 {
@@ -41,6 +128,7 @@ std::string plan_text(ensemble::Campaign const& campaign)
         if (names.size() > 1)
             fmt::format_to(to, "cannot be told apart at typical amplitudes: {}\n", fmt::join(names, ", "));
     }
+    write_confusion(text, found, rehearsed(found));
     auto const price = price_of(campaign.input);
     fmt::format_to(
         to,

@@ -2,6 +2,7 @@
 
 #include "ensemble/campaign.hpp"
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace demens::gap {
@@ -10,5 +11,7 @@ namespace demens::gap {
 //! recalibration hides, which effects look alike, the smallest amplitudes that show. \throws InputError where
 //! its runs are not there
 std::string plan_text(ensemble::Campaign const& campaign);
+//! The same as JSON, with the whole confusion matrix.
+nlohmann::json plan_document(ensemble::Campaign const& campaign);
 
 } // namespace demens::gap

@@ -13,7 +13,7 @@ namespace {
 using ensemble::CampaignInput, ensemble::Effect;
 
 //! The entry as an effect of this campaign; without settings where it is not allowed or needs none.
-Candidate candidate_of(CatalogueEntry const& entry, Setup const& setup)
+CandidateEffect candidate_of(CatalogueEntry const& entry, Setup const& setup)
 {
     return {{.name = entry.name,
              .settings = entry.settings ? entry.settings(setup) : std::vector<ensemble::EffectSetting>{},
@@ -25,7 +25,7 @@ Candidate candidate_of(CatalogueEntry const& entry, Setup const& setup)
             entry.measured};
 }
 
-bool is_possible(Candidate const& candidate, CampaignInput const& input)
+bool is_possible(CandidateEffect const& candidate, CampaignInput const& input)
 {
     if (candidate.measured) {
         for (auto const& experiment : input.experiments)
@@ -56,9 +56,9 @@ std::string refusal(Effect const& effect, CampaignInput const& input)
 }
 
 //! \throws InputError when two change the same
-void check_different(std::vector<Candidate> const& candidates)
+void check_different(std::vector<CandidateEffect> const& candidates)
 {
-    auto const key = [](Candidate const& candidate) {
+    auto const key = [](CandidateEffect const& candidate) {
         return ensemble::toml_text({{.name = "", .settings = candidate.effect.settings}});
     };
     for (std::size_t k = 0; k < candidates.size(); ++k)
@@ -77,17 +77,17 @@ void check_different(std::vector<Candidate> const& candidates)
         }
 }
 
-std::vector<Candidate> own_effects(CampaignInput const& input)
+std::vector<CandidateEffect> own_effects(CampaignInput const& input)
 {
-    std::vector<Candidate> own;
+    std::vector<CandidateEffect> own;
     for (auto const& effect : input.effects)
         own.push_back({effect, "own", effect.doc.empty() ? "as its settings say" : effect.doc, nullptr});
     return own;
 }
 
-std::vector<Candidate> named_candidates(CampaignInput const& input, Setup const& setup)
+std::vector<CandidateEffect> named_candidates(CampaignInput const& input, Setup const& setup)
 {
-    std::vector<Candidate> candidates;
+    std::vector<CandidateEffect> candidates;
     auto const own = own_effects(input);
     std::vector<std::string> names;
     for (auto const& entry : catalogue())
@@ -148,11 +148,11 @@ std::vector<CatalogueEntry> const& catalogue()
     return entries;
 }
 
-std::vector<Candidate> candidates_of(CampaignInput const& input)
+std::vector<CandidateEffect> candidates_of(CampaignInput const& input)
 {
     Setup const setup(input);
     bool const all = !input.gap || input.gap->effects.empty();
-    std::vector<Candidate> candidates;
+    std::vector<CandidateEffect> candidates;
     if (all) {
         for (auto const& entry : catalogue())
             if (auto candidate = candidate_of(entry, setup);

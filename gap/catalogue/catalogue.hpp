@@ -10,7 +10,7 @@ namespace demens::gap {
 std::vector<CatalogueEntry> const& catalogue();
 
 //! An effect of this campaign that is looked at.
-struct Candidate
+struct CandidateEffect
 {
     ensemble::Effect effect; //!< without settings where `measured` is there
     std::string group;       //!< of the catalogue, or `own`
@@ -21,6 +21,6 @@ struct Candidate
 //! The effects that `[gap]` names, or else all that the rigs and laws of the campaign allow, and its own.
 //! \throws InputError for a name that is unknown, an effect that this campaign does not allow, two that
 //! change the same, an amplitude that a rig refuses
-std::vector<Candidate> candidates_of(ensemble::CampaignInput const& input);
+std::vector<CandidateEffect> candidates_of(ensemble::CampaignInput const& input);
 
 } // namespace demens::gap

@@ -91,7 +91,7 @@ CampaignInput const& input()
     return read;
 }
 
-Candidate const& candidate(std::string const& name)
+CandidateEffect const& candidate(std::string const& name)
 {
     static auto const all = candidates_of(input());
     return *std::find_if(all.begin(), all.end(), [&](auto const& c) { return c.effect.name == name; });
