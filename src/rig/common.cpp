@@ -103,14 +103,15 @@ OptionSpecs material_options(std::string const& wall)
 
 OptionSpecs bed_options()
 {
-    return {required(entry("size_distribution", "size_distribution", "sizes of the particles")),
-            number("size_factor", 1, "all diameters of the distribution times this [-]", 1e-3, 1e3),
-            number("tail_mass_fraction", 0,
-                   "share of the mass that fines, or a coarse tail, of one more diameter have [-]", 0.0, 0.9),
-            number("tail_mm", 0, "their diameter [mm]", 0.0),
-            number("skin", 0.3,
-                   "reach of the neighbour lists beyond contact over the radius of mean volume [-]", 1e-3,
-                   2.0)};
+    return {
+        required(entry("size_distribution", "size_distribution", "sizes of the particles")),
+        number("size_factor", 1, "all diameters of the distribution times this [-]", 1e-3, 1e3),
+        number("tail_mass_fraction", 0,
+               "share of the mass that fines, or a coarse tail, of one more diameter have [-]", 0.0, 0.9),
+        number("tail_mm", 0, "their diameter [mm]", 0.0),
+        number("rest_s", 0, "the bed is left alone so long between its filling and what follows [s]", 0.0),
+        number("skin", 0.3, "reach of the neighbour lists beyond contact over the radius of mean volume [-]",
+               1e-3, 2.0)};
 }
 
 OptionSpecs run_options(Vector3 const& gravity)

@@ -17,7 +17,7 @@ constexpr Vector3 gravity_on_earth = {0, 0, -9.81}; //!< [m/s^2]
 
 //! `material` and `wall_material`. \param wall what is made of it
 OptionSpecs material_options(std::string const& wall);
-//! `size_distribution` and what changes it, `skin`, of rigs with a bed of particles.
+//! `size_distribution` and what changes it, `rest_s` and `skin`, of rigs with a bed of particles.
 OptionSpecs bed_options();
 //! Gravity, time step and energy ledger, of every rig.
 OptionSpecs run_options(Vector3 const& gravity = gravity_on_earth);

@@ -3,6 +3,7 @@
 #include "demens/rig/programme/programme_run.hpp"
 #include "demens/shape/packing.hpp"
 #include "demens/shape/sample_check.hpp"
+#include "src/rig/rest.hpp"
 #include "src/rig/rigs.hpp"
 
 #include <algorithm>
@@ -211,8 +212,8 @@ Programme describe(RunInput const& input)
     programme.build = [setup] { return build(*setup); };
     programme.stages = filling(rig);
     auto const settled = programme.stages.size() - 1;
-    for (auto const& stage : discharge(rig))
-        programme.stages.push_back(stage);
+    for (auto const& next : {rest_of(rig.options), discharge(rig)})
+        programme.stages.insert(programme.stages.end(), next.begin(), next.end());
     auto const last = programme.stages.size() - 1;
     programme.readings = drawdown::readings();
     programme.profiles = drawdown::profiles(rig, settled, last);

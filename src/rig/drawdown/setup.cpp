@@ -110,7 +110,7 @@ double Setup::expected_duration() const
     // Filling takes about a second; a slot passes about rho sqrt(g) D (b - 1.4 d)^1.5 (Beverloo et al. 1961).
     double const opening = std::max(slot - 1.4 * sizes.quantile(0.5), 0.2 * slot);
     double const flow = 1.03 * bulk_density * std::sqrt(gravity) * depth * std::pow(opening, 1.5);
-    return 1.5 + 0.75 * mass / flow;
+    return 1.5 + options.number("rest_s") + 0.75 * mass / flow;
 }
 
 } // namespace demens::rig::drawdown

@@ -3,6 +3,7 @@
 #include "demens/rig/programme/programme_run.hpp"
 #include "demens/shape/packing.hpp"
 #include "demens/shape/sample_check.hpp"
+#include "src/rig/rest.hpp"
 #include "src/rig/rigs.hpp"
 
 #include <algorithm>
@@ -119,9 +120,11 @@ void drop_batch(Bench& bench, Setup const& setup)
 void turn(Bench& bench, Setup const& setup)
 {
     auto const turning = setup.ends == Ends::turning ? bench.simulation.walls().size() : 1;
-    for (std::size_t k = 0; k < turning; ++k)
+    for (std::size_t k = 0; k < turning; ++k) {
+        double const share = k == 0 ? 1.0 : setup.end_speed;
         bench.simulation.move(dem::WallId{static_cast<std::uint32_t>(k)},
-                              dem::WallVelocity{.spin = {0, -setup.drum.angular_velocity, 0}});
+                              dem::WallVelocity{.spin = {0, -share * setup.drum.angular_velocity, 0}});
+    }
 }
 
 std::vector<Stage> stages(Setup const& setup, drum::Sampling const& sampling)
@@ -149,7 +152,10 @@ std::vector<Stage> stages(Setup const& setup, drum::Sampling const& sampling)
                   .looks_per_sample = sampling.looks,
                   .landmark = "final"};
     measure.until = [wanted = sampling.wanted](Look& look) { return look.progress().series.rows() > wanted; };
-    return {fill, discard, measure};
+    std::vector<Stage> all = {fill};
+    for (auto const& next : {rest_of(setup.options), {discard, measure}})
+        all.insert(all.end(), next.begin(), next.end());
+    return all;
 }
 
 Programme describe(RunInput const& input)

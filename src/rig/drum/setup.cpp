@@ -172,6 +172,8 @@ OptionSpecs options()
                  "periodically"),
           number("end_friction_factor", 1,
                  "friction of the end walls over that of their material; 0: as `frictionless` [-]", 0),
+          number("end_speed_factor", 1, "speed of turning end walls over that of the drum [-]; 0: they rest",
+                 -10, 10),
           number("tilt_deg", 0, "of the axis against the horizontal [deg]", -60, 60),
           number("speed_rpm", 0, "speed [1/min]; 0: from froude", 1e-9),
           number("froude", 0, "omega^2 R/g [-]; 0: from speed_rpm", 1e-15),
@@ -206,6 +208,7 @@ Setup::Setup(RunInput const& input)
     bulk_density = bulk_density_of(o, density);
     drum = state_of(o, bulk_density, density / sizes.spheres_per_volume());
     tilt = o.number("tilt_deg") * pi / 180;
+    end_speed = o.number("end_speed_factor");
     double const friction = ends == Ends::frictionless ? 0.0 : o.number("end_friction_factor");
     if (friction != 1 && ends != Ends::periodic) {
         add_own_end(model, end_material, material, friction);
@@ -235,7 +238,12 @@ Vector3 Setup::gravity() const
 
 Vector3 Setup::lowest_point() const
 {
-    return {0, tilt == 0 ? 0 : std::copysign(0.5 * drum.width, tilt), -drum.radius};
+    Vector3 const g = gravity();
+    double const y = g.y == 0 ? 0 : std::copysign(0.5 * drum.width, g.y);
+    if (g.x == 0)
+        return {0, y, -drum.radius};
+    double const radius = drum.radius / std::hypot(g.x, g.z);
+    return {radius * g.x, y, radius * g.z};
 }
 
 double Setup::expected_particles() const
@@ -245,7 +253,8 @@ double Setup::expected_particles() const
 
 double Setup::expected_duration() const
 {
-    return 5 * fall_time() + (discard_turns + measure_turns) * drum.seconds_per_turn();
+    return 5 * fall_time() + options.number("rest_s") +
+           (discard_turns + measure_turns) * drum.seconds_per_turn();
 }
 
 } // namespace demens::rig::drum

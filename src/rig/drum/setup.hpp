@@ -40,6 +40,7 @@ struct Setup
     double density;      //!< of the solid [kg/m^3]
     double bulk_density; //!< of the fill [kg/m^3]; 0: unknown
     double tilt;         //!< of the axis, downwards to +y [rad]
+    double end_speed;    //!< of turning ends, over that of the drum
     double discard_turns, measure_turns;
     double samples_per_turn;
     double prominence; //!< of an avalanche [J/kg]

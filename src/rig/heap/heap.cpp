@@ -4,6 +4,7 @@
 #include "demens/rig/programme/programme_run.hpp"
 #include "demens/shape/packing.hpp"
 #include "demens/shape/sample_check.hpp"
+#include "src/rig/rest.hpp"
 #include "src/rig/rigs.hpp"
 
 #include <algorithm>
@@ -126,7 +127,10 @@ std::vector<Stage> stages(Setup const& rig)
         else
             bench.simulation.activate(dem::WallId{gate}, false);
     };
-    return {fill, pour};
+    std::vector<Stage> all = {fill};
+    for (auto const& next : {rest_of(rig.options), {pour}})
+        all.insert(all.end(), next.begin(), next.end());
+    return all;
 }
 
 Programme describe(RunInput const& input)

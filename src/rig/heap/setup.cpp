@@ -148,11 +148,12 @@ double Setup::expected_particles() const
 double Setup::expected_duration() const
 {
     double const fall = std::sqrt(2 * (top_of_fill() - bottom_of_fill()) / gravity);
+    double const before = 2 * fall + 0.5 + options.number("rest_s");
     if (feed == Feed::lifted_cylinder)
-        return 2 * fall + 0.5 + solid_volume() / (pours_to * pi * radius * radius) / lift_speed;
+        return before + solid_volume() / (pours_to * pi * radius * radius) / lift_speed;
     // An outlet passes about 0.58 rho sqrt(g) (d_o - 1.4 d)^2.5 (Beverloo et al. 1961).
     double const opening = std::max(2 * outlet_radius - 1.4 * sizes.quantile(0.5), 0.2 * outlet_radius);
-    return 2 * fall + 0.5 + mass / (0.58 * pours_to * density * std::sqrt(gravity) * std::pow(opening, 2.5));
+    return before + mass / (0.58 * pours_to * density * std::sqrt(gravity) * std::pow(opening, 2.5));
 }
 
 } // namespace demens::rig::heap

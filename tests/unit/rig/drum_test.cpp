@@ -128,6 +128,21 @@ TEST(Drum, EndsMayHaveAShareOfTheFrictionOfTheirMaterial)
     }
 }
 
+TEST(Drum, EndsMayTurnAtTheirOwnSpeed)
+{
+    // At no speed they are `resting` ones, bit for bit; at 1 they turn with the drum.
+    auto input = small_drum();
+    input.experiment.set("measure_turns", 0.1);
+    auto const at = [&](std::string const& ends, double factor) {
+        input.experiment.set("ends", ends);
+        input.experiment.set("end_speed_factor", factor);
+        return responses(run(input)).at("angle_of_repose_deg");
+    };
+    double const resting = at("resting", 1), turning = at("turning", 1);
+    EXPECT_EQ(at("turning", 0), resting);
+    EXPECT_NE(turning, resting);
+}
+
 TEST(Drum, KeepsTheMeanSurface)
 {
     auto const result = run(small_drum());

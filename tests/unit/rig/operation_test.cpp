@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -75,6 +76,27 @@ TEST(Operation, SizesScaleAndGetATailOrStayBitForBit)
     EXPECT_NEAR(changed.quantile(0.55), 0.010, 1e-12);
     input.experiment.set("tail_mm", 0.0);
     EXPECT_NE(refusal(input).find("tail_mm"), std::string::npos) << refusal(input);
+}
+
+TEST(Operation, ABedMayRestBeforeWhatIsMeasured)
+{
+    auto const stages_with = [](double rest) {
+        auto input = small_drawdown(1);
+        input.experiment.set("rest_s", rest);
+        return rig::find_rig("drawdown")->describe(input).stages;
+    };
+    auto const without = stages_with(0), with = stages_with(0.25);
+    ASSERT_EQ(with.size(), without.size() + 1);
+    auto const rest = std::find_if(with.begin(), with.end(), [](auto const& s) { return s.name == "rest"; });
+    ASSERT_NE(rest, with.end());
+    EXPECT_EQ(rest->shortest, 0.25);
+    EXPECT_EQ((rest + 1)->name, "open");
+    auto input = small_drawdown(1);
+    auto const at_once = rig::find_rig("drawdown")->run(input, {});
+    input.experiment.set("rest_s", 0.25);
+    auto const later = rig::find_rig("drawdown")->run(input, {});
+    ASSERT_EQ(later.status, rig::RunStatus::finished) << later.reason;
+    EXPECT_NEAR(later.responses[4], at_once.responses[4], 1e-9); // the bed is what it was
 }
 
 TEST(Operation, GasAndVibrationReachTheSimulation)
