@@ -220,8 +220,9 @@ bool drifts(Model const& model)
 
 Model drifted(Model const& model, double time)
 {
-    // A law that has a coefficient keeps it: with none it would be another law.
-    auto const share = [time](double rate) { return std::max(1 + rate * time, 1e-9); };
+    // A law that has a coefficient keeps some of it: with none it would be another law, and van der Waals
+    // forces reach the further, the weaker they are.
+    auto const share = [time](double rate) { return std::max(1 + rate * time, 1e-3); };
     Model now = model;
     for (auto& pair : now.pairs) {
         for (auto const friction : {&PairProperties::static_friction, &PairProperties::kinetic_friction})

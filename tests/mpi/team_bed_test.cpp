@@ -34,10 +34,13 @@ void add_floor(dem::Simulation& simulation)
     simulation.add(rectangle({}, {1, 0, 0}, {0, 1, 0}));
 }
 
-dem::Simulation box(dem::Team* team, int count, double side)
+dem::Simulation box(dem::Team* team, int count, double side, dem::Surroundings const& around = {})
 {
-    dem::Simulation simulation(
-        springs(1e7), {.time_step = time_step, .skin = 0.3 * radius, .energy_ledger = true, .team = team});
+    dem::Simulation simulation(springs(1e7), {.time_step = time_step,
+                                              .surroundings = around,
+                                              .skin = 0.3 * radius,
+                                              .energy_ledger = true,
+                                              .team = team});
     pour(simulation, count, side, side, {0, 0, -1});
     add_floor(simulation);
     for (double const at : {-0.5 * side, 0.5 * side}) {
@@ -58,6 +61,8 @@ double mass_of(dem::Simulation& simulation)
 
 void expect_no_force_is_left(dem::Simulation& simulation)
 {
+    if (simulation.options().surroundings.is_any())
+        return; // their forces have no counterpart
     double magnitude = 0;
     Vector3 const left = sum_of_forces(simulation, magnitude);
     ASSERT_LE(norm(left), 1e-13 * magnitude);
@@ -145,6 +150,18 @@ TEST(Bed, BeginsAsWithOneRank)
     auto const a = alone.energy(), b = shared.energy();
     for (auto const& entry : dem::energy_entries)
         EXPECT_NEAR(a.*entry.value, b.*entry.value, 1e-7 * a.turned_over) << entry.name;
+}
+
+TEST(Bed, BeginsAsWithOneRankInALiquidThatIsShaken)
+{
+    dem::Surroundings const around{
+        .viscosity = 0.1, .density = 300, .vibration = {3, 0, 20}, .frequency = 200};
+    auto alone = box(nullptr, 400, 0.03, around), shared = box(&team(), 400, 0.03, around);
+    expect_the_same(alone, shared, 12, 100);
+    auto const a = alone.energy(), b = shared.energy();
+    for (auto const& entry : dem::energy_entries)
+        EXPECT_NEAR(a.*entry.value, b.*entry.value, 1e-7 * a.turned_over) << entry.name;
+    EXPECT_GT(a.lost_to_damping, 0.01 * a.turned_over);
 }
 
 TEST(Bed, BeginsAsWithOneRankInPeriods)

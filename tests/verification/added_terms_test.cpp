@@ -1,8 +1,8 @@
 // Terms that add to any cohesion: each against its formula, their sum, and nothing where all amplitudes are
 // 0.
-#include "demens/base/random.hpp"
 #include "tests/support/motion.hpp"
 #include "tests/support/pull.hpp"
+#include "tests/support/small_bed.hpp"
 
 #include <gtest/gtest.h>
 
@@ -162,19 +162,7 @@ TEST(AddedTerms, AddToEachOtherAndToTheLawOfThePair)
 TEST(AddedTerms, WithoutAmplitudeMotionsAreBitForBitThoseOfTheLawAlone)
 {
     auto const bed = [](contact::PairProperties const& pair) {
-        dem::Simulation simulation(
-            one_material(soft, pair),
-            {.time_step = 0.2 * dem::rayleigh_time(radius, soft), .skin = 0.3 * radius});
-        RandomStream random(3);
-        for (int k = 0; k < 64; ++k)
-            simulation.add(
-                dem::Body{.position = 2.1 * radius * Vector3{0.6 + k % 4, 0.6 + k / 4 % 4, 0.6 + k / 16},
-                          .radius = radius * random.uniform(0.9, 1.0),
-                          .velocity = {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), -0.3}});
-        for (int side = 0; side < 2; ++side)
-            simulation.add(
-                dem::Wall{.shape = dem::Rectangle{{9 * radius * side, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, 1}});
-        simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+        auto simulation = small_bed(soft, pair, radius);
         simulation.advance(500);
         return simulation;
     };

@@ -1,9 +1,9 @@
 // Coefficients that depend on speed: friction that weakens with slip, restitution that falls with impact
 // speed.
 #include "demens/base/error.hpp"
-#include "demens/base/random.hpp"
 #include "tests/support/impact.hpp"
 #include "tests/support/motion.hpp"
+#include "tests/support/small_bed.hpp"
 
 #include <gtest/gtest.h>
 
@@ -108,16 +108,7 @@ TEST(Viscoelastic, NeedsHertz)
 TEST(Speeds, WithoutAmplitudeNoBitChanges)
 {
     auto const bed = [](contact::PairProperties const& pair) {
-        dem::Simulation simulation(
-            one_material(grain, pair),
-            {.time_step = 0.2 * dem::rayleigh_time(0.9 * radius, grain), .skin = 0.3 * radius});
-        RandomStream random(3);
-        for (int k = 0; k < 64; ++k)
-            simulation.add(
-                dem::Body{.position = 2.1 * radius * Vector3{0.6 + k % 4, 0.6 + k / 4 % 4, 0.6 + k / 16},
-                          .radius = radius * random.uniform(0.9, 1.0),
-                          .velocity = {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), -0.3}});
-        simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
+        auto simulation = small_bed(grain, pair, radius);
         simulation.advance(500);
         return simulation;
     };

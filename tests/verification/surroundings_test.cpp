@@ -1,9 +1,9 @@
 // Drag and vibration against the closed forms of single particles; the ledger counts both; off they are
 // nothing.
 #include "demens/base/error.hpp"
-#include "demens/base/random.hpp"
 #include "tests/support/impact.hpp"
 #include "tests/support/motion.hpp"
+#include "tests/support/small_bed.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,28 +74,12 @@ TEST(Vibration, FreeParticleMovesAsTheIntegralHasIt)
     }
 }
 
-//! Spheres that fall on a plate between two walls.
-dem::Simulation bed(dem::SimulationOptions options)
+dem::Simulation bed(dem::SimulationOptions const& options)
 {
-    double const radius = 1e-3;
     contact::PairProperties pair;
     pair.rolling = contact::RollingLaw::epsd2;
     pair.rolling_friction = 0.1;
-    options.time_step = 0.2 * dem::rayleigh_time(0.9 * radius, grain);
-    options.skin = 0.3 * radius;
-    dem::Simulation simulation(one_material(grain, pair), options);
-    RandomStream random(3);
-    for (int k = 0; k < 64; ++k)
-        simulation.add(
-            dem::Body{.position = 2.1 * radius * Vector3{0.6 + k % 4, 0.6 + k / 4 % 4, 0.6 + k / 16},
-                      .radius = radius * random.uniform(0.9, 1.0),
-                      .velocity = {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), 0}});
-    for (double const side : {0.0, 9e-3}) {
-        simulation.add(dem::Wall{.shape = dem::Rectangle{{side, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, 1}});
-        simulation.add(dem::Wall{.shape = dem::Rectangle{{0, side, 0}, {0, 0, 1}, {1, 0, 0}, 1, 1}});
-    }
-    simulation.add(dem::Wall{.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
-    return simulation;
+    return small_bed(grain, pair, 1e-3, options);
 }
 
 TEST(Surroundings, LedgerClosesAndCountsWhatTheyTakeAndGive)

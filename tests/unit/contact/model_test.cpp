@@ -87,9 +87,8 @@ TEST(Drift, CoefficientsChangeLinearlyInTimeAndNothingElseDoes)
     EXPECT_EQ(later.pairs[1].restitution, 0.5);
     EXPECT_EQ(later.pairs[0].static_friction, 0.3);
     EXPECT_EQ(later.pairs[0].added_surface_energy, 0.02);
-    // It ends near 0, not below.
-    EXPECT_GE(contact::drifted(model, 1000).pairs[1].static_friction, 0);
-    EXPECT_LT(contact::drifted(model, 1000).pairs[1].static_friction, 1e-6);
+    // It ends at a thousandth, not below 0.
+    EXPECT_DOUBLE_EQ(contact::drifted(model, 1000).pairs[1].static_friction, 0.3e-3);
 }
 
 TEST(PairTable, KineticFrictionIsAtMostStatic)
