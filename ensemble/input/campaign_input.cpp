@@ -55,6 +55,8 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     auto [experiments, experiment_tables, notes] = input::read_experiments(file, *tree, rigs, files);
     campaign.experiments = std::move(experiments);
     campaign.notes_ = std::move(notes);
+    campaign.gap = input::read_gap(file, campaign.experiments); // gives roles, on which all below rests
+    campaign.effects = input::read_effects(file, *tree, campaign.experiments);
     campaign.factors = input::read_factors(file, *tree, campaign.experiments);
     campaign.constraints = input::read_constraints(file, *tree, campaign.experiments, campaign.factors);
 
@@ -75,10 +77,6 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     read_section(file.table("stop"), {}, campaign.stop);
     read_section(file.table("run"), {}, campaign.run);
     tree->engine = campaign.run.engine;
-
-    campaign.effects = input::read_effects(file, *tree, campaign.experiments);
-    if (file.has("gap"))
-        campaign.gap = input::read_gap(file.table("gap"), campaign.experiments);
 
     input::check_sections(file, campaign);
     input::check_rigs(campaign, *tree, experiment_tables);

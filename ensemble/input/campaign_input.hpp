@@ -28,10 +28,10 @@ struct Target
 {
     std::string response; //!< name of a response of the experiment's rig
     int response_index;   //!< its place in Experiment::responses
-    double value;         //!< in the unit the name carries
-    double scale;         //!< the deviation that counts as one, same unit, > 0
-    double sd;            //!< standard deviation of the measurement; NaN: not given
-    double tolerance;     //!< deviation that is good enough; NaN: not given
+    double value;     //!< in the unit the name carries; NaN: not measured, of an experiment to be considered
+    double scale;     //!< the deviation that counts as one, same unit, > 0
+    double sd;        //!< standard deviation of the measurement; NaN: not given
+    double tolerance; //!< deviation that is good enough; NaN: not given
     TransformKind transform = TransformKind::none;
     double lower = std::numeric_limits<double>::quiet_NaN(); //!< range of the response, for logit
     double upper = std::numeric_limits<double>::quiet_NaN();
@@ -42,7 +42,8 @@ struct Target
 enum class ExperimentRole
 {
     calibrate, //!< the factors are fitted to its targets
-    hold_out   //!< it takes no part in that; a diagnosis is tested on it
+    hold_out,  //!< it takes no part in that; a diagnosis is tested on it
+    consider   //!< not made yet: would it tell effects apart?
 };
 
 //! One rig under one set of conditions, with what was measured there.
@@ -56,7 +57,7 @@ struct Experiment
     std::vector<CurveTarget> curves = {};      //!< measured; each of their windows is a target
     std::optional<PictureTarget> picture = {}; //!< photographed; each of its segments is a target
     ExperimentRole role = ExperimentRole::calibrate;
-    std::vector<Target> held_out = {}; //!< instead of `targets` where the role is to be held out
+    std::vector<Target> held_out = {}; //!< instead of `targets` where the role is another
 };
 
 //! A key of an experiment that names a material.
@@ -164,8 +165,9 @@ struct RunOptions
 //! `[gap]`: what is diagnosed once the campaign is calibrated.
 struct GapOptions
 {
-    std::vector<std::string> held_out; //!< names of experiments
-    std::vector<std::string> effects;  //!< of the catalogue or of the campaign; empty: all that it allows
+    std::vector<std::string> held_out;   //!< names of experiments
+    std::vector<std::string> candidates; //!< names of experiments that might be made next
+    std::vector<std::string> effects;    //!< of the catalogue or of the campaign; empty: all that it allows
     double form_floor = 0.04;   //!< share of a response that the right model would miss, its laws being forms
     double form_error = 0.2;    //!< share of an effect's signature that another form of its law would change
     int packings = 6;           //!< runs of the base model and of a full signature, each with its own packing

@@ -2,11 +2,13 @@
 
 #include "ensemble/input/base_input.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace demens::ensemble::input {
 
-//! Reads `[gap]`; the experiments that it holds out get that role. \throws InputError
-GapOptions read_gap(InputTable const& table, std::vector<Experiment>& experiments);
+//! Reads `[gap]` where it is there; the experiments that it names get their roles. \throws InputError, also
+//! for a target without a value that must have one
+std::optional<GapOptions> read_gap(InputTable const& file, std::vector<Experiment>& experiments);
 
 } // namespace demens::ensemble::input

@@ -51,9 +51,8 @@ std::vector<OptionSpec> const& target_options()
 {
     static std::vector<OptionSpec> const specs = {
         {.key = "value",
-         .default_value = 0.0,
-         .doc = "measured value, in the response's unit",
-         .required = true},
+         .default_value = not_given,
+         .doc = "measured value, in the response's unit; required but for [gap] candidates"},
         {.key = "scale",
          .default_value = 1.0,
          .doc = "deviation that counts as one, same unit",
@@ -349,6 +348,8 @@ std::vector<ListSpec> const& gap_lists()
     static std::vector<ListSpec> const specs = {
         {"held_out", "words",
          "experiments that take no part in the calibration, on which a diagnosis is tested"},
+        {"candidates", "words",
+         "experiments that might be made next: which would tell effects apart? Their targets need no value"},
         {"effects", "words",
          "what the model may lack, of the catalogue (`demens effects`) or an [[effect]]; none: all that the "
          "rigs allow"},

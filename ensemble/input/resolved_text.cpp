@@ -146,8 +146,8 @@ void write_experiment(Writer& out, Experiment const& experiment, OptionValues co
     header.set("replicates", std::int64_t{experiment.replicates});
     out.options(experiment_options(), header);
     out.options(experiment.rig->options, rig_values);
-    bool const is_held_out = experiment.role == ExperimentRole::hold_out;
-    for (auto const& target : is_held_out ? experiment.held_out : experiment.targets) {
+    bool const is_fitted = experiment.role == ExperimentRole::calibrate;
+    for (auto const& target : is_fitted ? experiment.targets : experiment.held_out) {
         if (target.comes_of != TargetSource::value)
             continue; // stands with its curve or picture
         OptionValues values;
@@ -224,6 +224,8 @@ void write_gap(Writer& out, GapOptions const& gap)
     std::map<std::string, std::string> lists;
     if (!gap.held_out.empty())
         lists["held_out"] = list(gap.held_out, quoted);
+    if (!gap.candidates.empty())
+        lists["candidates"] = list(gap.candidates, quoted);
     if (!gap.effects.empty())
         lists["effects"] = list(gap.effects, quoted);
     out.lists(gap_lists(), lists);

@@ -31,10 +31,16 @@ WaveEnd go_on(Session& session, MPI_Comm communicator,
     }
 }
 
-bool has_signatures(Campaign const& campaign)
+int waves_of_signatures(Campaign const& campaign)
 {
-    return std::any_of(campaign.waves.begin(), campaign.waves.end(),
-                       [](auto const& wave) { return wave.purpose == ensemble::WavePurpose::signatures; });
+    return static_cast<int>(std::count_if(campaign.waves.begin(), campaign.waves.end(), [](auto const& wave) {
+        return wave.purpose == ensemble::WavePurpose::signatures;
+    }));
+}
+
+bool has_candidates(Campaign const& campaign)
+{
+    return !cells_of(campaign.input, ensemble::ExperimentRole::consider).empty();
 }
 
 } // namespace
@@ -47,9 +53,12 @@ WaveEnd diagnose(Session& session, MPI_Comm communicator)
 WaveEnd plan_ahead(Session& session, MPI_Comm communicator)
 {
     return go_on(session, communicator, [](Campaign const& campaign) -> std::optional<WavePlan> {
-        if (has_signatures(campaign))
-            return std::nullopt;
-        return screening_wave(campaign, Centre::middle);
+        int const looks = waves_of_signatures(campaign);
+        if (looks == 0)
+            return screening_wave(campaign, Centre::middle);
+        if (looks == 1 && has_candidates(campaign))
+            return candidate_wave(campaign, Centre::middle);
+        return std::nullopt;
     });
 }
 

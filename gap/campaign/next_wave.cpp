@@ -17,10 +17,15 @@ ensemble::GapOptions options_of(CampaignInput const& input)
     return input.gap.value_or(ensemble::GapOptions{});
 }
 
-int waves_of(Campaign const& campaign, WavePurpose purpose)
+//! Waves of a purpose whose runs are of experiments of a role.
+int waves_of(Campaign const& campaign, WavePurpose purpose, ExperimentRole role)
 {
-    return static_cast<int>(std::count_if(campaign.waves.begin(), campaign.waves.end(),
-                                          [&](auto const& wave) { return wave.purpose == purpose; }));
+    return static_cast<int>(
+        std::count_if(campaign.waves.begin(), campaign.waves.end(), [&](auto const& wave) {
+            return wave.purpose == purpose && !wave.runs.empty() &&
+                   campaign.input.experiments[static_cast<std::size_t>(wave.runs.front().experiment)].role ==
+                       role;
+        }));
 }
 
 std::vector<int> experiments_of(CampaignInput const& input, ExperimentRole role)
@@ -121,6 +126,9 @@ WavePlan closure_wave(Campaign const& campaign, Diagnosis const& diagnosis)
     return writer.plan();
 }
 
+//! Effects that are looked at on candidate experiments, the most probable ones.
+constexpr std::size_t most_on_candidates = 8;
+
 int runs_of(Campaign const& campaign)
 {
     int runs = 0;
@@ -138,12 +146,16 @@ Price price_of(CampaignInput const& input)
     int const effects = static_cast<int>(simulated(candidates_of(input)).size());
     int const fitted = static_cast<int>(experiments_of(input, ExperimentRole::calibrate).size());
     int const held_out = static_cast<int>(experiments_of(input, ExperimentRole::hold_out).size());
+    int const considered = static_cast<int>(experiments_of(input, ExperimentRole::consider).size());
     int const in_full = std::min(options.effects_in_full, effects);
     int const points_in_full = 2 + 2 * static_cast<int>(input.factors.size());
     return {(base_points(options) + effects) * options.screening_packings * fitted,
             in_full * points_in_full * options.screening_packings * fitted,
             ((2 + in_full) * base_points(options) + 2 * static_cast<int>(input.factors.size())) *
-                options.screening_packings * held_out};
+                options.screening_packings * held_out,
+            (base_points(options) + std::min(effects, static_cast<int>(most_on_candidates)) +
+             2 * static_cast<int>(input.factors.size())) *
+                options.screening_packings * considered};
 }
 
 std::vector<std::string> announcement(CampaignInput const& input)
@@ -152,9 +164,9 @@ std::vector<std::string> announcement(CampaignInput const& input)
     auto const price = price_of(input);
     lines.push_back(
         fmt::format("diagnosis: {} effects; at most {} runs: {} for first looks, {} for {} effects in full, "
-                    "{} on what is held out",
+                    "{} on what is held out, {} on experiments that might be made",
                     candidates_of(input).size(), price.total(), price.screening, price.full,
-                    options_of(input).effects_in_full, price.held_out));
+                    options_of(input).effects_in_full, price.held_out, price.considered));
     if (price.held_out == 0)
         lines.push_back(
             "no experiment is held out: nothing will be said about how far an effect closes the gap; name "
@@ -184,23 +196,48 @@ WavePlan screening_wave(Campaign const& campaign, Centre centre)
     return writer.plan();
 }
 
-//! First looks at all effects; the most probable ones in full, unless all is within the floor; then the
-//! candidates on what is held out.
+WavePlan candidate_wave(Campaign const& campaign, Centre centre)
+{
+    auto const options = options_of(campaign.input);
+    Diagnosis const diagnosis(campaign, centre);
+    auto const& all = diagnosis.campaign();
+    auto places = diagnosis.ranked_effects();
+    places.resize(std::min(places.size(), most_on_candidates));
+    std::vector<ensemble::Effect> effects;
+    for (int const k : places)
+        effects.push_back(all.candidates[static_cast<std::size_t>(k)].effect);
+    PlanWriter writer(WavePurpose::signatures, effects,
+                      experiments_of(campaign.input, ExperimentRole::consider), options.screening_packings);
+    writer.add(base_points(options), all.model.point);
+    for (auto const& change : interaction_changes(all.model))
+        writer.add(1, all.model.moved(change));
+    for (int k = 0; k < static_cast<int>(effects.size()); ++k)
+        writer.add(1, all.model.point, k, screening_amplitudes(effects[static_cast<std::size_t>(k)]).front());
+    return writer.plan();
+}
+
+//! First looks at all effects; the most probable ones in full, unless all is within the floor; these on what
+//! is held out; then the experiments that might be made.
 std::optional<WavePlan> next_wave(Campaign const& campaign)
 {
     auto const options = options_of(campaign.input);
-    int const looks = waves_of(campaign, WavePurpose::signatures);
-    bool const is_tested = waves_of(campaign, WavePurpose::closure) > 0;
+    int const looks = waves_of(campaign, WavePurpose::signatures, ExperimentRole::calibrate);
+    bool const is_tested = waves_of(campaign, WavePurpose::closure, ExperimentRole::hold_out) > 0;
+    bool const is_considered = waves_of(campaign, WavePurpose::signatures, ExperimentRole::consider) > 0 ||
+                               experiments_of(campaign.input, ExperimentRole::consider).empty();
     if (looks == 0)
         return screening_wave(campaign, Centre::estimate);
-    if (is_tested || runs_of(campaign) >= options.runs)
+    bool const is_testable = !is_tested && !experiments_of(campaign.input, ExperimentRole::hold_out).empty();
+    if ((is_considered && is_tested) || runs_of(campaign) >= options.runs)
         return std::nullopt;
     Diagnosis const diagnosis(campaign);
     if (looks == 1 && diagnosis.attribution().verdict != Verdict::within_floor &&
         !diagnosis.ranked_effects().empty())
         return full_wave(campaign, diagnosis);
-    if (!experiments_of(campaign.input, ExperimentRole::hold_out).empty())
+    if (is_testable)
         return closure_wave(campaign, diagnosis);
+    if (!is_considered)
+        return candidate_wave(campaign, Centre::estimate);
     return std::nullopt;
 }
 

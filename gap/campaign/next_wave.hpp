@@ -10,10 +10,11 @@ namespace demens::gap {
 //! What the diagnosis will cost.
 struct Price
 {
-    int screening; //!< runs of the base model and the first look at every effect
-    int full;      //!< runs of the most probable effects
-    int held_out;  //!< runs on what is held out
-    int total() const { return screening + full + held_out; }
+    int screening;  //!< runs of the base model and the first look at every effect
+    int full;       //!< runs of the most probable effects
+    int held_out;   //!< runs on what is held out
+    int considered; //!< runs on experiments that might be made
+    int total() const { return screening + full + held_out + considered; }
 };
 
 //! At most, before anything is known.
@@ -27,6 +28,8 @@ std::vector<std::string> announcement(ensemble::CampaignInput const& input);
 //! campaign's content alone. \throws InputError where nothing can be diagnosed
 std::optional<ensemble::WavePlan> next_wave(ensemble::Campaign const& campaign);
 
+//! Base model and the most probable effects on the experiments that might be made.
+ensemble::WavePlan candidate_wave(ensemble::Campaign const& campaign, Centre centre);
 //! The wave of first looks, about the middle of the factors: for a plan before anything is measured.
 ensemble::WavePlan screening_wave(ensemble::Campaign const& campaign, Centre centre);
 

@@ -1,5 +1,6 @@
 #include "gap/campaign/plan_report.hpp"
 
+#include "gap/campaign/candidate_experiments.hpp"
 #include "gap/campaign/diagnosis.hpp"
 #include "gap/campaign/next_wave.hpp"
 #include "gap/statistics/rehearse.hpp"
@@ -129,6 +130,11 @@ std::string plan_text(ensemble::Campaign const& campaign)
             fmt::format_to(to, "cannot be told apart at typical amplitudes: {}\n", fmt::join(names, ", "));
     }
     write_confusion(text, found, rehearsed(found));
+    for (auto const& one : ranked_experiments(campaign, found))
+        fmt::format_to(
+            to,
+            "next {:<24} tells explanations apart by {:.2g}, {:.2g} particle steps a run, {} of the best\n",
+            one.name, one.decides, one.cost, percent(one.value));
     auto const price = price_of(campaign.input);
     fmt::format_to(
         to,

@@ -1,6 +1,7 @@
 #include "gap/campaign/report.hpp"
 
 #include "demens/base/error.hpp"
+#include "gap/campaign/candidate_experiments.hpp"
 #include "gap/campaign/closure.hpp"
 #include "gap/campaign/next_wave.hpp"
 
@@ -198,6 +199,30 @@ nlohmann::json json_of(CampaignClosure const& closure, Diagnosis const& found)
     return {{"failure", closure.failure}, {"effects", effects}};
 }
 
+void write_next(std::string& text, std::vector<RankedExperiment> const& ranked)
+{
+    auto const to = std::back_inserter(text);
+    if (ranked.empty()) {
+        fmt::format_to(
+            to, "Next: name experiments that might be made in [gap] candidates to see which would decide\n");
+        return;
+    }
+    fmt::format_to(to, "Next: {} would decide most for its price\n", ranked.front().name);
+    for (auto const& one : ranked)
+        fmt::format_to(
+            to, "  {:<24} tells explanations apart by {:.2g}, {:.2g} particle steps a run, {} of the best\n",
+            one.name, one.decides, one.cost, percent(one.value));
+}
+
+nlohmann::json json_of(std::vector<RankedExperiment> const& ranked)
+{
+    nlohmann::json list = nlohmann::json::array();
+    for (auto const& one : ranked)
+        list.push_back(
+            {{"experiment", one.name}, {"decides", one.decides}, {"cost", one.cost}, {"value", one.value}});
+    return list;
+}
+
 void write_assumed(std::string& text, Diagnosis const& found, Campaign const& campaign)
 {
     auto const to = std::back_inserter(text);
@@ -309,6 +334,7 @@ std::string gap_text(Campaign const& campaign)
     write_where(text, found);
     write_which(text, found, judged(found, closure));
     write_how_far(text, found, closure);
+    write_next(text, ranked_experiments(campaign, found));
     write_assumed(text, found, campaign);
     return text;
 }
@@ -324,6 +350,7 @@ nlohmann::json gap_document(Campaign const& campaign)
             {"where", json_of(found.located(), found)},
             {"which", json_of(judged(found, closure), found)},
             {"how_far", closure ? json_of(*closure, found) : nlohmann::json()},
+            {"next", json_of(ranked_experiments(campaign, found))},
             {"assumed",
              {{"form_floor", options.form_floor},
               {"form_error", options.form_error},

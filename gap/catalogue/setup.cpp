@@ -1,7 +1,8 @@
 #include "gap/catalogue/setup.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <numbers>
 
 namespace demens::gap {
 namespace {
@@ -100,6 +101,17 @@ double Setup::mean_radius() const
     for (auto const& [name, distribution] : sizes)
         sum += 0.5 * distribution.mean_volume_diameter() / static_cast<double>(sizes.size());
     return sum;
+}
+
+double Setup::wave_time() const
+{
+    if (grains_.empty())
+        return 0;
+    auto const of_grains = [&](char const* key) {
+        return number("material." + grains_.front() + "." + key).value_or(0);
+    };
+    double const shear = of_grains("youngs_modulus") / (2 * (1 + of_grains("poisson_ratio")));
+    return shear > 0 ? std::numbers::pi * mean_radius() * std::sqrt(density() / shear) : 0;
 }
 
 double Setup::density() const

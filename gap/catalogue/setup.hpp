@@ -35,6 +35,8 @@ class Setup
     double mean_radius() const;
     //! Density of the first grains [kg/m^3].
     double density() const;
+    //! How long a shear wave takes around half of the grain of mean volume [s].
+    double wave_time() const;
 
   private:
     std::vector<std::string> contacts_with(std::vector<std::string> const& others) const;

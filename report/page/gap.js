@@ -22,6 +22,8 @@ function show_gap(parent) {
     if (gap.how_far && gap.how_far.effects.length > 0) show_closures(parent, gap.how_far);
     else parent.append(element('p', {class: 'note'}, 'How far an effect closes the gap is not known: '
         + ((gap.how_far && gap.how_far.failure) || 'no experiment was held out') + '.'));
+    for (const one of gap.next.slice(0, 3))
+        parent.append(element('p', {class: 'note'}, `Next: ${words_of(one.experiment)} tells the explanations apart by ${number(one.decides, 2)}, for ${number(one.cost, 2)} particle steps a run.`));
     show_signatures(parent, gap);
     const assumed = gap.assumed;
     parent.append(element('p', {class: 'note'}, `Assumed: form floor ${assumed.form_floor} of a response, form error `

@@ -12,6 +12,7 @@ demens, mpirun, template = sys.argv[1:4]
 environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none")
 conditions = {"straight": (1.0, 0), "slanted": (1.0, 30), "flat": (1.0, 65), "fast": (3.0, 45)}
+candidates = {"slow": (0.05, 0), "grazing": (1.0, 85)}
 measured_responses = ("normal_restitution", "tangential_restitution", "rebound_spin_rad_s", "largest_overlap_um",
                       "contact_time_us")
 with open(template) as text:
@@ -30,6 +31,10 @@ def experiments(targets):
         for response, value in targets.get(name, {"normal_restitution": 1.0}).items():
             sd = max(0.005 * abs(value), 1e-3)
             text += f"target.{response} = {{ value = {value}, scale = {sd}, sd = {sd} }}\n"
+    for name, (speed, angle) in candidates.items():  # what might be measured next
+        text += f'\n[[experiment]]\nname = "{name}"\nrig = "impact"\nmaterial = "ball"\nwall_material = "plate"\n'
+        text += f"speed_m_s = {speed}\nangle_deg = {angle}\ntarget.contact_time_us = {{ scale = 1, sd = 0.5 }}\n"
+        text += "target.normal_restitution = { scale = 0.01, sd = 0.005 }\n"
     return campaign.replace("@EXPERIMENTS@", text)
 
 
@@ -45,6 +50,7 @@ def reality(*settings):
             targets[name] = {}
         elif words and words[0] in measured_responses and not (name == "straight" and words[0] in measured_responses[1:3]):
             targets[name][words[0]] = float(words[1])
+    targets = {name: targets[name] for name in conditions}
     assert set(targets) == set(conditions) and all(len(t) >= 3 for t in targets.values()), targets
     return targets
 
@@ -55,7 +61,7 @@ def diagnose(name, ranks, *settings):
     said = run(demens, "new", name + ".toml")
     assert "diagnosis:" in said and "held out" in said, said
     said = run(mpirun, "-n", str(ranks), demens, name + ".h5")
-    for word in ("Where:", "Which:", "How far:", "Assumed:"):
+    for word in ("Where:", "Which:", "How far:", "Next:", "Assumed:"):
         assert word in said, said
     print(said[said.index("Where:"):])
     assert run(demens, "gap", name + ".h5") == said[said.index("Where:"):]
@@ -82,6 +88,8 @@ with tempfile.TemporaryDirectory() as folder:
     closures = {effect["effect"]: effect for effect in soft["how_far"]["effects"]}
     assert closures["softening"]["closure"] > 0.8 and not closures["softening"]["at_floor"], closures
 
+    assert {one["experiment"] for one in soft["next"]} == set(candidates) and soft["next"][0]["value"] == 1, soft["next"]
+
     # the same bits on another number of ranks, whatever stopped it before
     os.rename("soft.h5", "two_ranks.h5")
     again = diagnose("soft", 1, "material.ball.youngs_modulus=3.5e8", *factors)
@@ -89,7 +97,7 @@ with tempfile.TemporaryDirectory() as folder:
 
     plan = run(mpirun, "-n", "2", demens, "gap", "plan", "soft.toml")
     print(plan)
-    assert "softening" in plan and "cannot be told apart" in plan, plan
+    assert "softening" in plan and "200 twins of each cause" in plan and "next grazing" in plan, plan
     effects = run(demens, "effects", "soft.toml")
     assert "softening" in effects and "plate_modulus" in effects and "drum_speed" not in effects, effects
     wrong = subprocess.run([demens, "gap", "none.toml"], env=environment, capture_output=True, text=True)

@@ -3,6 +3,7 @@
 
 #include "tests/unit/ensemble/input/test_rigs.hpp"
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -94,6 +95,20 @@ TEST(EffectInput, ExperimentsThatAreHeldOutKeepTheirTargetsApart)
     EXPECT_EQ(input.experiments[1].held_out[0].value, 0.4);
     EXPECT_EQ(input.gap->form_floor, 0.03);
     EXPECT_EQ(input.gap->packings, ensemble::GapOptions{}.packings);
+}
+
+TEST(EffectInput, OnlyExperimentsToBeConsideredMayHaveNoValue)
+{
+    auto const unmeasured =
+        replaced(good_campaign(), "target.rebound = { value = 0.4, ", "target.rebound = { ");
+    EXPECT_THAT(refusal(unmeasured),
+                HasSubstr("experiment.drop.target.rebound: the key \"value\" is missing"));
+    EXPECT_THAT(refusal(unmeasured + effects), HasSubstr("the key \"value\" is missing"));
+    auto const input = read(unmeasured + replaced(effects, "held_out", "candidates"));
+    EXPECT_EQ(input.experiments[1].role, ExperimentRole::consider);
+    EXPECT_TRUE(std::isnan(input.experiments[1].held_out.at(0).value));
+    EXPECT_EQ(CampaignInput::from_text(input.resolved_text(), "resolved", rigs()).resolved_text(),
+              input.resolved_text());
 }
 
 TEST(EffectInput, IsWrittenOutAndReadAgain)

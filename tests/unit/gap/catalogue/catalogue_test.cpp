@@ -160,6 +160,9 @@ TEST(Catalogue, EffectsOfTheOperationChangeWhatIsReported)
     EXPECT_EQ(run_with("lean", -1, 1).experiment.number("lean_x_deg"), -1);
     EXPECT_DOUBLE_EQ(run_with("vibration", 0.5).experiment.vector("vibration_m_s2").z, 4.905);
     EXPECT_DOUBLE_EQ(run_with("air_drag", 2).experiment.number("gas_viscosity_Pa_s"), 3.6e-5);
+    EXPECT_DOUBLE_EQ(run_with("size_scale", 0.1, 1).experiment.number("size_factor"), 1.1);
+    EXPECT_DOUBLE_EQ(run_with("fines", 0.2).experiment.number("tail_mass_fraction"), 0.2);
+    EXPECT_DOUBLE_EQ(run_with("fines", 0.2).experiment.number("tail_mm"), 1.8);
     EXPECT_DOUBLE_EQ(run_with("grain_density", 0.1).model.materials[0].density, 2750);
 }
 
@@ -196,6 +199,10 @@ TEST(Catalogue, EffectsOfFrictionAndContact)
     EXPECT_DOUBLE_EQ(sliding.kinetic_friction, 0.375);
     EXPECT_DOUBLE_EQ(pair_with("rolling_damping", 0.3, glass).rolling_damping, 0.3);
     EXPECT_DOUBLE_EQ(pair_with("restitution", -0.3, glass).restitution, 0.35);
+    EXPECT_DOUBLE_EQ(pair_with("friction_weakening", 0.3, glass).friction_weakening, 0.3);
+    EXPECT_DOUBLE_EQ(pair_with("friction_drift", -0.05, glass).friction_drift, -0.05);
+    double const wave = std::numbers::pi * 1.5e-3 * std::sqrt(2500 / (5e6 / 2.6));
+    EXPECT_NEAR(pair_with("viscoelastic", 0.1, glass).viscoelastic_time, 0.1 * wave, 1e-12 * wave);
     EXPECT_DOUBLE_EQ(run_with("softening", 0.3).model.materials[0].youngs_modulus, 3.5e6);
 }
 
