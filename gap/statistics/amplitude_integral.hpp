@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gap/statistics/amplitude_model.hpp"
+#include "gap/statistics/amplitude_search.hpp"
 
 namespace demens::gap {
 
@@ -20,14 +20,9 @@ struct AmplitudePosterior
 AmplitudePosterior integrate_amplitudes(AmplitudeModel const& model, AmplitudeModel::Data const& data,
                                         int points = 256);
 
+//! ln of the density alone, where T and q are left out.
+double linearised_log_evidence(AmplitudeModel const& model, AmplitudeModel::Data const& data);
+
 //! Amplitudes over `typical` where ln density, or with `AmplitudePrior::flat` minus the misfit alone, is
 //! largest.
-enum class AmplitudePrior
-{
-    typical,
-    flat
-};
-Eigen::VectorXd best_amplitudes(AmplitudeModel const& model, AmplitudeModel::Data const& data,
-                                AmplitudePrior prior);
-
 } // namespace demens::gap

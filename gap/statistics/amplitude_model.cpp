@@ -3,7 +3,6 @@
 #include "gap/statistics/gaussian.hpp"
 #include "gap/statistics/projection.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <numbers>
 
@@ -34,12 +33,28 @@ AmplitudeModel::AmplitudeModel(Evidence const& evidence, Eigen::MatrixXd const& 
     }
     root_.triangularView<Eigen::Lower>().solveInPlace(columns_);
     gram_ = columns_.transpose() * columns_;
+
+    base_precision_.compute(gram_.topLeftCorner(p_, p_) + Eigen::MatrixXd::Identity(p_, p_));
+    log_freedom_ = 2 * base_precision_.matrixLLT().diagonal().array().log().sum();
+    auto const signatures = p_ * (1 + count);
+    hidden_ = base_precision_.solve(gram_.block(0, signatures, p_, count));
+    precision_ = Eigen::MatrixXd::Identity(count, count) + gram_.block(signatures, signatures, count, count) -
+                 gram_.block(0, signatures, p_, count).transpose() * hidden_;
 }
 
 AmplitudeModel::Data AmplitudeModel::project(Eigen::VectorXd const& residual) const
 {
     Eigen::VectorXd const white = root_.triangularView<Eigen::Lower>().solve(residual);
     return {white.squaredNorm(), columns_.transpose() * white};
+}
+
+AmplitudeModel::Quadratic AmplitudeModel::linearised(Data const& data) const
+{
+    auto const count = static_cast<Eigen::Index>(units_.size());
+    auto const along = data.products.head(p_);
+    double const misfit = data.square - along.dot(base_precision_.solve(along));
+    return {-0.5 * (log_determinant_ + log_freedom_ + misfit),
+            data.products.segment(p_ * (1 + count), count) - hidden_.transpose() * along, precision_};
 }
 
 AmplitudeModel::Solved AmplitudeModel::solve(Data const& data, Eigen::VectorXd const& u) const

@@ -2,6 +2,7 @@
 
 #include "gap/statistics/evidence.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <vector>
 
@@ -30,6 +31,16 @@ class AmplitudeModel
     bool linear() const { return linear_; } //!< neither T nor q
     bool one_signed(int effect) const { return one_signed_[effect]; }
     double unit(int effect) const { return units_[effect]; } //!< amplitude of u = 1
+
+    //! ln of the density of r given u, times exp(-u'u / 2), where T and q are left out: value + slope u - u'
+    //! precision u / 2.
+    struct Quadratic
+    {
+        double value;
+        Eigen::VectorXd slope;     //!< [K]
+        Eigen::MatrixXd precision; //!< [K x K]
+    };
+    Quadratic linearised(Data const& data) const;
 
     //! min over the factors of the squares of what is left and of the factors, each over its covariance.
     double misfit(Data const& data, Eigen::VectorXd const& u) const;
@@ -60,6 +71,11 @@ class AmplitudeModel
     //! those of factors with a prior N(0, I).
     Eigen::MatrixXd columns_;
     Eigen::MatrixXd gram_; //!< columns' columns
+    // Of the linearised model; these do not depend on r.
+    Eigen::LLT<Eigen::MatrixXd> base_precision_; //!< I + J'J [p x p]
+    Eigen::MatrixXd hidden_;                     //!< factors that signatures make in a fit anew [p x K]
+    Eigen::MatrixXd precision_;                  //!< of u [K x K]
+    double log_freedom_;                         //!< ln of the determinant of I + J'J
 };
 
 } // namespace demens::gap

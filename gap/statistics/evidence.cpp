@@ -35,6 +35,12 @@ void need_not_negative(char const* array, Eigen::VectorXd const& values, std::ve
                                          array, values[i]));
 }
 
+//! Of numbers for each cell; none of none.
+Eigen::VectorXd some(Eigen::VectorXd const& values, std::vector<int> const& cells)
+{
+    return values.size() > 0 ? Eigen::VectorXd(values(cells)) : values;
+}
+
 void check_packing(Evidence const& evidence)
 {
     std::vector<int> seen(evidence.cells.size(), 0);
@@ -81,12 +87,19 @@ void check(Evidence const& evidence)
         need_size("experiment_correlation", evidence.experiment_correlation.rows(), n, "cells");
         need_size("experiment_correlation", evidence.experiment_correlation.cols(), n, "cells");
         need_finite("experiment_correlation", evidence.experiment_correlation, evidence.cells);
+        auto const& correlation = evidence.experiment_correlation;
+        if (!correlation.diagonal().isOnes(1e-9) || !correlation.isApprox(correlation.transpose(), 1e-9) ||
+            correlation.cwiseAbs().maxCoeff() > 1 + 1e-9)
+            throw InputError("`experiment_correlation` is no correlation: it is symmetric, has ones on its "
+                             "diagonal and numbers from -1 to 1");
     }
     need_finite("measured", evidence.measured, evidence.cells);
     need_finite("predicted", evidence.predicted, evidence.cells);
     need_finite("nuisance", evidence.nuisance, evidence.cells);
-    if (!evidence.nuisance_prior.allFinite())
-        throw InputError("`nuisance_prior` has a number that is missing");
+    if (!evidence.nuisance_prior.allFinite() || (evidence.nuisance_prior.diagonal().array() < 0).any() ||
+        !evidence.nuisance_prior.isApprox(evidence.nuisance_prior.transpose(), 1e-9))
+        throw InputError("`nuisance_prior` is no covariance: it is symmetric, no variance is negative and no "
+                         "number is missing");
     for (Eigen::Index i = 0; i < n; ++i)
         if (!std::isfinite(evidence.experiment_variance[i]))
             throw InputError(fmt::format("cell `{}`: `experiment_variance` is not a number: give the sd of "
@@ -143,6 +156,49 @@ void check(Signature const& signature, Evidence const& evidence)
         throw InputError(fmt::format("effect `{}`: `typical` is {} and must be positive, `form_error` is {} "
                                      "and must not be negative",
                                      signature.name, signature.typical, signature.form_error));
+}
+
+Evidence subset(Evidence const& evidence, std::vector<int> const& cells)
+{
+    Evidence part = evidence;
+    part.cells.clear();
+    for (int cell : cells)
+        part.cells.push_back(evidence.cells[cell]);
+    part.measured = some(evidence.measured, cells);
+    part.predicted = some(evidence.predicted, cells);
+    part.nuisance = evidence.nuisance(cells, Eigen::all);
+    part.experiment_variance = some(evidence.experiment_variance, cells);
+    part.repeats = some(evidence.repeats, cells);
+    part.surrogate_variance = some(evidence.surrogate_variance, cells);
+    if (evidence.experiment_correlation.size() > 0)
+        part.experiment_correlation = evidence.experiment_correlation(cells, cells);
+    part.packing.clear();
+    for (auto const& scatter : evidence.packing) {
+        auto of_part = scatter;
+        of_part.cells.clear();
+        std::vector<int> columns;
+        for (std::size_t i = 0; i < scatter.cells.size(); ++i)
+            for (std::size_t place = 0; place < cells.size(); ++place)
+                if (cells[place] == scatter.cells[i]) {
+                    of_part.cells.push_back(static_cast<int>(place));
+                    columns.push_back(static_cast<int>(i));
+                }
+        of_part.deviations = scatter.deviations(Eigen::all, columns);
+        if (!columns.empty())
+            part.packing.push_back(std::move(of_part));
+    }
+    return part;
+}
+
+Signature subset(Signature const& signature, std::vector<int> const& cells)
+{
+    Signature part = signature;
+    part.first = some(signature.first, cells);
+    part.second = some(signature.second, cells);
+    part.first_variance = some(signature.first_variance, cells);
+    if (signature.interaction.size() > 0)
+        part.interaction = signature.interaction(cells, Eigen::all);
+    return part;
 }
 
 std::vector<CellGroup> groups_by_experiment(std::vector<Cell> const& cells)

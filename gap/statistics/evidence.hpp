@@ -81,6 +81,10 @@ struct Signature
 //! effect.
 void check(Signature const& signature, Evidence const& evidence);
 
+//! Some of the cells, in the order given: those fitted or those held out, or a fold.
+Evidence subset(Evidence const& evidence, std::vector<int> const& cells);
+Signature subset(Signature const& signature, std::vector<int> const& cells);
+
 //! Cells that are judged together.
 struct CellGroup
 {

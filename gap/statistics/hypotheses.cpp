@@ -35,6 +35,8 @@ double log_normal(Eigen::MatrixXd const& root, Eigen::VectorXd const& r)
            root.diagonal().array().log().sum();
 }
 
+constexpr int points = 128; // of importance sampling
+
 } // namespace
 
 Eigen::MatrixXd covariance_with(Evidence const& evidence, Eigen::MatrixXd const& floor,
@@ -101,9 +103,9 @@ Hypotheses::Hypotheses(Evidence const& evidence, Projection const& projection, s
 Eigen::VectorXd Hypotheses::log_evidences(Eigen::VectorXd const& residual) const
 {
     Eigen::VectorXd logs(list_.size());
-    for (std::size_t i = 0; i < models_.size(); ++i)
-        logs[static_cast<int>(i)] =
-            integrate_amplitudes(models_[i], models_[i].project(residual), 128).log_evidence;
+    std::vector<AmplitudeModel::Data> data;
+    for (auto const& model : models_)
+        data.push_back(model.project(residual));
     double& unknown = logs[logs.size() - 1] = -std::numeric_limits<double>::infinity();
     if (!unknown_roots_.empty()) {
         Eigen::VectorXd each(unknown_roots_.size());
@@ -111,6 +113,15 @@ Eigen::VectorXd Hypotheses::log_evidences(Eigen::VectorXd const& residual) const
             each[static_cast<int>(i)] = log_normal(unknown_roots_[i], residual);
         unknown = log_sum_exp(each) - std::log(static_cast<double>(each.size()));
     }
+    for (std::size_t i = 0; i < models_.size(); ++i)
+        logs[static_cast<int>(i)] = models_[i].linear() || models_[i].effects() == 2
+                                        ? linearised_log_evidence(models_[i], data[i])
+                                        : integrate_amplitudes(models_[i], data[i], points).log_evidence;
+    Eigen::VectorXd const weights = logs + priors_.array().log().matrix();
+    double const least = weights.maxCoeff() - options_.pair_screen;
+    for (std::size_t i = 0; i < models_.size(); ++i)
+        if (!models_[i].linear() && models_[i].effects() == 2 && weights[static_cast<int>(i)] >= least)
+            logs[static_cast<int>(i)] = integrate_amplitudes(models_[i], data[i], points).log_evidence;
     return logs;
 }
 

@@ -29,7 +29,10 @@ struct HypothesisOptions
     double prior_unknown = 0.15; //!< what hypotheses there are none of leaves its part to the others
     std::vector<double> unknown_strengths = {0.03, 0.1,
                                              0.3}; //!< tau, over the scale of the response; mixed alike
-    double temperature = 1;                        //!< ln of evidence is divided by it
+    //! Pairs of effects that are not linear count as if they were where that makes them less probable than
+    //! the best hypothesis by a factor exp(-pair_screen).
+    double pair_screen = 8;
+    double temperature = 1; //!< ln of evidence is divided by it
 };
 
 //! The densities of residuals r = y - m0 under all hypotheses, prepared once for any r:

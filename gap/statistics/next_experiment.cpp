@@ -22,9 +22,9 @@ double symmetrised_divergence(Gaussian const& a, Gaussian const& b)
 }
 
 Gaussian predictive(Evidence const& evidence, Projection const& projection, Hypotheses const& hypotheses,
-                    int hypothesis, Evidence const& candidate,
-                    std::vector<Signature> const& effects_candidate)
+                    int hypothesis, Evidence candidate, std::vector<Signature> const& effects_candidate)
 {
+    candidate.measured = candidate.predicted; // nothing was yet
     auto const& scored = hypotheses.list()[hypothesis];
     std::vector<Signature> here, there;
     for (int effect : scored.effects) {
@@ -50,6 +50,7 @@ Gaussian predictive(Evidence const& evidence, Projection const& projection, Hypo
                       scale.asDiagonal())
                          .eval();
     }
+    checked_root(predicted.covariance, candidate.cells);
     return predicted;
 }
 

@@ -13,11 +13,10 @@ double symmetrised_divergence(Gaussian const& a, Gaussian const& b);
 
 //! What a fit of a hypothesis to the evidence predicts of cells that are not measured yet, with floor, what
 //! the fit leaves uncertain and the form error of its effects; of `unknown` what recalibration alone says,
-//! and the mean square of its strengths. \param candidate measured is not used \param effects_candidate
+//! and the mean square of its strengths. \param candidate `measured` can be empty \param effects_candidate
 //! signatures of all effects of `hypotheses` on the candidate's cells
 Gaussian predictive(Evidence const& evidence, Projection const& projection, Hypotheses const& hypotheses,
-                    int hypothesis, Evidence const& candidate,
-                    std::vector<Signature> const& effects_candidate);
+                    int hypothesis, Evidence candidate, std::vector<Signature> const& effects_candidate);
 
 struct Candidate
 {

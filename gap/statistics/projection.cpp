@@ -4,6 +4,7 @@
 #include "gap/statistics/gaussian.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>

@@ -1,11 +1,11 @@
 #include "demens/base/error.hpp"
 #include "demens/base/random.hpp"
+#include "gap/statistics/golden_section.hpp"
 #include "gap/statistics/hypotheses.hpp"
 #include "gap/statistics/twins.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace demens::gap {
 
@@ -19,24 +19,7 @@ double best_temperature(Hypotheses const& hypotheses, std::vector<Eigen::VectorX
                 hypotheses.probabilities(log_evidences[i], std::exp(log_temperature))[truths[i]], 1e-300));
         return sum;
     };
-    // Golden section.
-    double lower = std::log(0.2), upper = std::log(20.0);
-    constexpr double share = std::numbers::phi - 1;
-    double left = upper - share * (upper - lower), right = lower + share * (upper - lower);
-    double at_left = score(left), at_right = score(right);
-    while (upper - lower > 1e-3)
-        if (at_left > at_right) {
-            upper = right;
-            right = left, at_right = at_left;
-            left = upper - share * (upper - lower);
-            at_left = score(left);
-        } else {
-            lower = left;
-            left = right, at_left = at_right;
-            right = lower + share * (upper - lower);
-            at_right = score(right);
-        }
-    return std::exp(0.5 * (lower + upper));
+    return std::exp(argmax_between(std::log(0.2), std::log(20.0), 1e-3, score));
 }
 
 double fit_temperature(Evidence const& evidence, Projection const& projection, Hypotheses const& hypotheses,

@@ -1,7 +1,8 @@
 // How often the right cause is found on made-up systems, by the experiments that there are. Writes tables in
 // Markdown.
-//   gap_study [TWINS] [SYSTEMS]
+//   gap_study [TWINS] [SYSTEMS] [SIZE]
 #include "gap/statistics/baselines.hpp"
+#include "gap/statistics/decoys.hpp"
 #include "gap/statistics/twins.hpp"
 #include "tests/unit/gap/statistics/made_up_rigs.hpp"
 
@@ -11,11 +12,10 @@
 namespace demens::gap::testing {
 namespace {
 
-constexpr double size = 0.2;
-
 struct Study
 {
     int twins, systems;
+    double size; //!< of effects at their typical amplitude, over the scales of the responses
 };
 
 struct Means
@@ -28,7 +28,7 @@ Means study(Study const& study, Rigs const& rigs, double strength)
 {
     Means means;
     for (int system = 0; system < study.systems; ++system) {
-        auto const made = make_up(rigs, size, 0.04, 1 + system);
+        auto const made = make_up(rigs, study.size, 0.04, 1 + system);
         Diagnosis const diagnosis(made);
         auto const found = rehearse(made.evidence, diagnosis.projection, diagnosis.hypotheses,
                                     diagnosis.attributor, {.twins = study.twins, .strengths = {strength}});
@@ -78,8 +78,8 @@ void floor_table(Study const& options)
         double alarms = 0, named = 0, criterion = 0;
         int const cases = options.systems * options.twins;
         for (int system = 0; system < options.systems; ++system) {
-            auto const truth = make_up({}, size, 0.01, 1 + system),
-                       made = make_up({}, size, assumed, 1 + system);
+            auto const truth = make_up({}, options.size, 0.01, 1 + system),
+                       made = make_up({}, options.size, assumed, 1 + system);
             Diagnosis const diagnosis(made);
             Eigen::MatrixXd const floor = make_floor(truth.evidence).total();
             Twins const twins(truth.evidence, floor, 77);
@@ -109,8 +109,8 @@ void outside_table(Study const& options)
         double flagged = 0, without = 0, named = 0;
         int cases = 0;
         for (int system = 0; system < options.systems; ++system) {
-            auto const made = make_up({}, size, 0.04, 1 + system),
-                       other = make_up({}, size, 0.04, 1001 + system);
+            auto const made = make_up({}, options.size, 0.04, 1 + system),
+                       other = make_up({}, options.size, 0.04, 1001 + system);
             Diagnosis const diagnosis(made);
             Twins const twins(made.evidence, diagnosis.projection.floor(), 78);
             for (int i = 0; i < options.twins; ++i, ++cases) {
@@ -137,7 +137,7 @@ void pairs_table(Study const& options)
     double one = 0, both = 0, wrong = 0;
     int cases = 0;
     for (int system = 0; system < options.systems; ++system) {
-        auto const made = make_up({}, size, 0.04, 1 + system);
+        auto const made = make_up({}, options.size, 0.04, 1 + system);
         Diagnosis const diagnosis(made);
         Twins const twins(made.evidence, diagnosis.projection.floor(), 79);
         for (int i = 0; i < options.twins; ++i, ++cases) {
@@ -165,24 +165,91 @@ void pairs_table(Study const& options)
                one / cases, both / cases, wrong / cases);
 }
 
-//! Seconds a diagnosis takes, largest sizes.
+//! Closure on the fastest of four drums and the widest of three slots, by the linear model: of the effect
+//! that acts, and of its decoys.
+void closure_table(Study const& options)
+{
+    fmt::print("\n| strength | at the floor | median closure | p among decoys at most 5 % | best other "
+               "closes .2 less |\n"
+               "|---|---|---|---|---|\n");
+    for (double strength : {0.5, 1.0, 2.0}) {
+        int cases = 0, at_floor = 0, beats = 0, ahead = 0, judged = 0;
+        std::vector<double> closures;
+        for (int system = 0; system < options.systems; ++system) {
+            auto const made = make_up({4, 3, true}, options.size, 0.04, 1 + system);
+            std::vector<int> in, out;
+            for (int i = 0; i < made.evidence.size(); ++i)
+                (made.evidence.cells[i].experiment == 3 || made.evidence.cells[i].experiment == 6 ? out : in)
+                    .push_back(i);
+            auto fitted = subset(made.evidence, in), others = subset(made.evidence, out);
+            Projection const projection(fitted, make_floor(fitted).total());
+            Twins const twins(made.evidence, make_floor(made.evidence).total(), 81);
+            for (int i = 0; i < options.twins; ++i) {
+                auto const& effect = made.effects[i % made.effects.size()];
+                auto const r = twins.with({effect}, Eigen::VectorXd::Constant(1, strength), i);
+                fitted.measured = fitted.predicted + r(in);
+                others.measured = others.predicted + r(out);
+                auto closure = [&](Signature const& signature) {
+                    return linear_closure(fitted, projection, others, subset(signature, in),
+                                          subset(signature, out));
+                };
+                ++cases;
+                double const own = closure(effect);
+                if (std::isnan(own)) {
+                    ++at_floor;
+                    continue;
+                }
+                ++judged;
+                closures.push_back(own);
+                std::vector<double> decoys;
+                for (auto const& other : made.effects)
+                    if (other.name != effect.name)
+                        decoys.push_back(closure(other));
+                double const best = *std::max_element(decoys.begin(), decoys.end());
+                auto made_up = effect;
+                for (auto const& shape :
+                     random_smooth_signatures(made.evidence.cells, effect.first, 0.5, 19, i)) {
+                    made_up.first = shape;
+                    decoys.push_back(closure(made_up));
+                }
+                made_up.first = permuted_signature(made.evidence.cells, effect.first, 1);
+                decoys.push_back(closure(made_up));
+                beats += decoy_p_value(own, decoys) <= 0.05;
+                ahead += own >= best + 0.2;
+            }
+        }
+        fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", strength, 1. * at_floor / cases,
+                   closures.empty() ? 0 : quantile(closures, 0.5), 1. * beats / judged, 1. * ahead / judged);
+        std::fflush(stdout);
+    }
+}
+
+//! Seconds a diagnosis takes, linear effects and such with T and q.
 void time_table()
 {
-    fmt::print("\n| cells | effects | prepared [s] | one diagnosis [s] |\n|---|---|---|---|\n");
-    for (Rigs const& rigs : {Rigs{3, 2, true}, Rigs{36, 30, true}}) {
-        auto const made = make_up(rigs, size);
-        auto const begin = std::chrono::steady_clock::now();
-        Diagnosis const diagnosis(made);
-        auto const ready = std::chrono::steady_clock::now();
-        Twins const twins(made.evidence, diagnosis.projection.floor(), 1);
-        int const times = 5;
-        for (int i = 0; i < times; ++i)
-            diagnosis.attributor.attribute(twins.base(i));
-        std::chrono::duration<double> const prepared = ready - begin,
-                                            each = std::chrono::steady_clock::now() - ready;
-        fmt::print("| {} | {} | {:.2f} | {:.4f} |\n", made.evidence.size(), made.effects.size(),
-                   prepared.count(), each.count() / times);
-    }
+    fmt::print("\n| cells | effects | pairs | effects are | prepared [s] | one diagnosis [s] "
+               "|\n|---|---|---|---|---|---|\n");
+    for (bool linear : {true, false})
+        for (Rigs const& rigs : {Rigs{3, 2, true}, Rigs{24, 26, true}}) {
+            auto made = make_up(rigs, 0.1);
+            if (!linear)
+                for (std::size_t k = 0; k < made.effects.size(); ++k) {
+                    made.effects[k].second = 0.2 * made.effects[(k + 1) % made.effects.size()].first;
+                    made.effects[k].interaction = 0.1 * made.evidence.nuisance;
+                }
+            auto const begin = std::chrono::steady_clock::now();
+            Diagnosis const diagnosis(made);
+            auto const ready = std::chrono::steady_clock::now();
+            Twins const twins(made.evidence, diagnosis.projection.floor(), 1);
+            auto const count = static_cast<int>(made.effects.size());
+            for (int i = 0; i < count; ++i)
+                diagnosis.attributor.attribute(twins.with({made.effects[i]}, Eigen::VectorXd::Ones(1), i));
+            std::chrono::duration<double> const prepared = ready - begin,
+                                                each = std::chrono::steady_clock::now() - ready;
+            fmt::print("| {} | {} | {} | {} | {:.2f} | {:.4f} |\n", made.evidence.size(), count,
+                       count * (count - 1) / 2, linear ? "linear" : "curved", prepared.count(),
+                       each.count() / count);
+        }
 }
 
 } // namespace
@@ -191,11 +258,13 @@ void time_table()
 int main(int argc, char** argv)
 {
     using namespace demens::gap::testing;
-    Study const study{argc > 1 ? std::stoi(argv[1]) : 50, argc > 2 ? std::stoi(argv[2]) : 5};
+    Study const study{argc > 1 ? std::stoi(argv[1]) : 50, argc > 2 ? std::stoi(argv[2]) : 5,
+                      argc > 3 ? std::stod(argv[3]) : 0.1};
     time_table();
     experiments_table(study);
     floor_table(study);
     outside_table(study);
     pairs_table(study);
+    closure_table(study);
     return 0;
 }

@@ -1,5 +1,8 @@
 #include "tests/unit/gap/statistics/small_evidence.hpp"
 
+#include "gap/statistics/form_floor.hpp"
+#include "gap/statistics/twins.hpp"
+
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -61,6 +64,40 @@ TEST(Floor, IsTheSumOfItsParts)
     EXPECT_NEAR(floor.deviations()[0], std::sqrt(0.01 + 0.05 + 0.1 + 0.16), 1e-14);
 }
 
+// 50 cases of 12 cells in which nothing is missing but that the laws are off by 6 %.
+TEST(Floor, IsEstimatedFromCasesWithoutEffect)
+{
+    std::vector<Evidence> cases;
+    for (int i = 0; i < 50; ++i) {
+        auto const truth = small_evidence(3, 4, 2, 0.06);
+        cases.push_back(small_evidence(3, 4, 2, 0.04));
+        cases.back().measured += Twins(truth, make_floor(truth).total(), 31).base(i);
+    }
+    EXPECT_NEAR(estimate_form_floor(cases), 0.06, 0.006);
+    EXPECT_EQ(
+        message([] { estimate_form_floor({}); }),
+        "the form floor is estimated from no case: give cases in which nothing is missing, or say a floor");
+}
+
+TEST(Evidence, PartsAreThoseOfTheWhole)
+{
+    auto evidence = small_evidence(2, 3, 2);
+    evidence.surrogate_variance = Eigen::VectorXd::LinSpaced(6, 1, 6);
+    Eigen::MatrixXd const rows = Eigen::MatrixXd::Random(5, 3);
+    evidence.packing = {{{0, 1, 2}, rows, 4, 2}, {{3, 4, 5}, 2 * rows, 4, 2}};
+    std::vector<int> const cells{4, 1, 3};
+    auto const part = subset(evidence, cells);
+    check(part);
+    auto const whole = make_floor(evidence), floor = make_floor(part);
+    EXPECT_TRUE(floor.form.isApprox(whole.form(cells, cells), 1e-12));
+    EXPECT_EQ(floor.surrogate.diagonal(), Eigen::Vector3d(5, 2, 4));
+    EXPECT_TRUE(floor.seed.diagonal().isApprox(whole.seed.diagonal()(cells), 1e-12));
+    EXPECT_EQ(floor.seed(0, 1), 0);
+    EXPECT_EQ(part.packing[1].cells, (std::vector<int>{2, 0}));
+    EXPECT_EQ(subset(random_signature(evidence, 1, 3), cells).first[0],
+              random_signature(evidence, 1, 3).first[4]);
+}
+
 TEST(Evidence, SaysWhatIsWrongWithIt)
 {
     auto bad = small_evidence(2, 2, 1);
@@ -76,6 +113,15 @@ TEST(Evidence, SaysWhatIsWrongWithIt)
     bad.measured.conservativeResize(3);
     EXPECT_EQ(message([&] { check(bad); }),
               "the evidence has 3 numbers in `measured` for 4 cells: give one for each");
+    bad = small_evidence(2, 2, 1);
+    bad.nuisance_prior(0, 0) = -1;
+    EXPECT_EQ(message([&] { check(bad); }), "`nuisance_prior` is no covariance: it is symmetric, no variance "
+                                            "is negative and no number is missing");
+    bad = small_evidence(2, 2, 1);
+    bad.experiment_correlation = Eigen::MatrixXd::Constant(4, 4, 2);
+    EXPECT_EQ(message([&] { check(bad); }),
+              "`experiment_correlation` is no correlation: it is symmetric, has ones on "
+              "its diagonal and numbers from -1 to 1");
     EXPECT_EQ(message([&] { check(Evidence{}); }),
               "the evidence has no cell: nothing was measured that could be compared");
     auto const evidence = small_evidence(2, 2, 1);

@@ -27,7 +27,7 @@ struct MadeUp
 class ResponseLaw
 {
   public:
-    static constexpr int families = 7; //!< 3 of drums, 3 of slots, density
+    static constexpr int families = 9; //!< 5 of drums, 3 of slots, density
 
     ResponseLaw(std::uint64_t seed, std::uint64_t group_seed)
     {
@@ -60,9 +60,9 @@ inline MadeUp make_up(Rigs const& rigs, double size, double form_floor = 0.04, s
                                           {count > 1 ? i / (count - 1.) : 0.5},
                                           10. + f});
     };
-    add(0, 3, rigs.drums);
-    add(3, 3, rigs.slots);
-    add(6, 1, rigs.density ? 1 : 0);
+    add(0, 5, rigs.drums);
+    add(5, 3, rigs.slots);
+    add(8, 1, rigs.density ? 1 : 0);
     auto const n = evidence.size();
     Eigen::VectorXd const scale = scales(evidence.cells);
     evidence.predicted = evidence.measured = scale;

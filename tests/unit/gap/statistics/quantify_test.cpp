@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numeric>
 
 using namespace demens::gap;
 using namespace demens::gap::testing;
@@ -51,20 +52,9 @@ TEST(Quantify, ClosureByHand)
 // former the mean excess of the latter is 0.
 TEST(Quantify, ExcessIsZeroInTheMeanWhereNothingIsMissing)
 {
-    auto all = small_evidence(5, 2, 2);
+    auto const all = small_evidence(5, 2, 2);
     std::vector<int> const in{0, 1, 2, 3, 8, 9}, out{4, 5, 6, 7};
-    auto part = [&](std::vector<int> const& cells) {
-        auto part = all;
-        part.cells.clear();
-        for (int cell : cells)
-            part.cells.push_back(all.cells[cell]);
-        part.measured = all.measured(cells);
-        part.predicted = all.predicted(cells);
-        part.nuisance = all.nuisance(cells, Eigen::all);
-        part.experiment_variance = all.experiment_variance(cells);
-        return part;
-    };
-    auto fitted = part(in), others = part(out);
+    auto fitted = subset(all, in), others = subset(all, out);
     Projection const projection(fitted, make_floor(fitted).total());
     Eigen::MatrixXd const estimation = estimation_covariance(fitted, projection, others);
     Twins const twins(all, make_floor(all).total(), 17);
@@ -139,16 +129,11 @@ TEST(Decoys, OwnSignatureClosesMoreThanOthers)
 {
     auto all = small_evidence(6, 4, 2);
     Eigen::VectorXd const s = random_smooth_signatures(all.cells, 4 * all.predicted, 0.5, 1, 42)[0];
-    auto part = [&](int first, int count) {
-        auto part = all;
-        part.cells.assign(all.cells.begin() + first, all.cells.begin() + first + count);
-        part.predicted = all.predicted.segment(first, count);
-        part.measured = part.predicted + 0.1 * s.segment(first, count);
-        part.nuisance = all.nuisance.middleRows(first, count);
-        part.experiment_variance = all.experiment_variance.segment(first, count);
-        return part;
-    };
-    auto const fitted = part(0, 16), others = part(16, 8);
+    all.measured += 0.1 * s;
+    std::vector<int> in(16), out(8);
+    std::iota(in.begin(), in.end(), 0);
+    std::iota(out.begin(), out.end(), 16);
+    auto const fitted = subset(all, in), others = subset(all, out);
     Projection const projection(fitted, make_floor(fitted).total());
     auto closure = [&](Eigen::VectorXd const& signature) {
         Signature on_fitted{"s", signature.head(16)}, on_others{"s", signature.tail(8)};

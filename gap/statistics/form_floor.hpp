@@ -1,0 +1,11 @@
+#pragma once
+
+#include "gap/statistics/evidence.hpp"
+
+namespace demens::gap {
+
+//! The form floor, from 0 to 0.5, under which the residuals of cases in which nothing is known to be missing
+//! are most probable; `form_floor` of the cases is not used. \throws InputError for bad cases, or none
+double estimate_form_floor(std::vector<Evidence> cases);
+
+} // namespace demens::gap
