@@ -111,21 +111,35 @@ std::vector<VectorXd> modes(AmplitudeModel const& model, AmplitudeFunction const
     return found;
 }
 
+namespace {
+
+AmplitudeFunction goodness(AmplitudeModel const& model, AmplitudeModel::Data const& data,
+                           AmplitudePrior prior)
+{
+    if (prior == AmplitudePrior::typical)
+        return log_joint(model, data);
+    return [&model, &data](VectorXd const& u) {
+        constexpr double least = 1e-6; // keeps the amplitude of a signature that is zero
+        return -0.5 * (model.misfit(data, u) + least * u.squaredNorm());
+    };
+}
+
+} // namespace
+
 VectorXd best_amplitudes(AmplitudeModel const& model, AmplitudeModel::Data const& data, AmplitudePrior prior)
 {
     if (model.effects() == 0)
         return {};
-    auto f = [&](VectorXd const& u) {
-        double const least = 1e-6; // keeps the amplitude of a signature that is zero
-        return prior == AmplitudePrior::typical ? model.log_likelihood(data, u) - 0.5 * u.squaredNorm()
-                                                : -0.5 * (model.misfit(data, u) + least * u.squaredNorm());
-    };
+    auto const f = goodness(model, data, prior);
     auto const found = modes(model, f);
-    auto best = found.front();
-    for (auto const& mode : found)
-        if (f(mode) > f(best))
-            best = mode;
-    return best;
+    return *std::max_element(found.begin(), found.end(),
+                             [&](VectorXd const& a, VectorXd const& b) { return f(a) < f(b); });
+}
+
+VectorXd best_amplitudes_near(AmplitudeModel const& model, AmplitudeModel::Data const& data,
+                              AmplitudePrior prior, VectorXd const& start)
+{
+    return model.effects() == 0 ? VectorXd() : climb(model, goodness(model, data, prior), start);
 }
 
 } // namespace demens::gap

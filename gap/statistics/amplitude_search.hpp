@@ -40,5 +40,8 @@ enum class AmplitudePrior
 //! [K].
 Eigen::VectorXd best_amplitudes(AmplitudeModel const& model, AmplitudeModel::Data const& data,
                                 AmplitudePrior prior);
+//! The same, but only the place that is reached from `start`.
+Eigen::VectorXd best_amplitudes_near(AmplitudeModel const& model, AmplitudeModel::Data const& data,
+                                     AmplitudePrior prior, Eigen::VectorXd const& start);
 
 } // namespace demens::gap

@@ -84,20 +84,21 @@ void Attributor::test_winner(Attribution& found, Eigen::VectorXd const& residual
     }
     AmplitudeModel const own(
         evidence_, covariance_with(evidence_, projection_.floor(), effects, amplitudes.cwiseAbs2()), effects);
-    auto misfit = [&](Eigen::VectorXd const& r) {
-        auto const data = own.project(r);
-        return own.misfit(data, best_amplitudes(own, data, AmplitudePrior::flat));
-    };
-    found.misfit = misfit(residual);
-    if (own.linear() || options_.gate_twins == 0) {
-        auto const degrees = std::max<double>(static_cast<double>(residual.size()) - free, 1);
-        found.misfit_limit = tao_calib::chi_square_quantile(options_.gate, degrees);
+    auto const data = own.project(residual);
+    found.misfit = own.misfit(data, best_amplitudes(own, data, AmplitudePrior::flat));
+    auto const degrees = std::max<double>(static_cast<double>(residual.size()) - free, 1);
+    found.misfit_limit = tao_calib::chi_square_quantile(options_.gate, degrees);
+    // Curvature changes that little: a misfit far below or above needs no twins.
+    bool const near = found.misfit > 0.75 * found.misfit_limit && found.misfit < 1.5 * found.misfit_limit;
+    if (own.linear() || options_.gate_twins == 0 || !near)
         return;
-    }
     Twins const twins(evidence_, projection_.floor(), derive_seed(options_.seed, 1));
     std::vector<double> misfits;
-    for (int i = 0; i < options_.gate_twins; ++i)
-        misfits.push_back(misfit(twins.with(effects, amplitudes, i)));
+    for (int i = 0; i < options_.gate_twins; ++i) {
+        auto const of_twin = own.project(twins.with(effects, amplitudes, i));
+        misfits.push_back(
+            own.misfit(of_twin, best_amplitudes_near(own, of_twin, AmplitudePrior::flat, first)));
+    }
     found.misfit_limit = quantile(std::move(misfits), options_.gate);
 }
 

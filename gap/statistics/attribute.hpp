@@ -10,7 +10,9 @@ struct AttributeOptions
 {
     double global_level = 0.05; //!< of the test of the whole: above it nothing is named
     double gate = 0.97;         //!< quantile of the winner's own twins above which a misfit means unknown
-    int gate_twins = 500;       //!< for effects that are not linear; 0: chi-square's quantile for these, too
+    //! For effects that are not linear, where the misfit is 0.75 to 1.5 of chi-square's quantile; else that
+    //! is taken.
+    int gate_twins = 500;
     double named_at = 0.80;     //!< probability from which an effect, or a group of effects, is named
     double decoy_level = 0.05;  //!< p of the closure among decoys, up to which they are beaten
     int twins = 500;            //!< of the base model, for the test of the whole
