@@ -213,8 +213,14 @@ Closure quantify(HeldOut const& held_out, HeldOutPrediction const& before, HeldO
         found.resamples_at_floor += std::isnan(closure) / static_cast<double>(options.resamples);
         closures.push_back(std::isnan(closure) ? 0 : closure);
     }
-    found.lower = quantile(closures, 0.5 * (1 - options.confidence));
-    found.upper = quantile(closures, 0.5 * (1 + options.confidence));
+    // Resamples of k experiments scatter by sqrt((k - 1) / k) too little.
+    auto const experiments = static_cast<double>(all.size());
+    double const wider = experiments > 1 ? std::sqrt(experiments / (experiments - 1)) : 1;
+    auto end = [&](double share) {
+        return std::min(found.closure + wider * (quantile(closures, share) - found.closure), 1.0);
+    };
+    found.lower = end(0.5 * (1 - options.confidence));
+    found.upper = end(0.5 * (1 + options.confidence));
     return found;
 }
 

@@ -4,6 +4,7 @@
 #include "gap/statistics/baselines.hpp"
 #include "gap/statistics/decoys.hpp"
 #include "gap/statistics/twins.hpp"
+#include "tests/unit/gap/statistics/closure_coverage.hpp"
 #include "tests/unit/gap/statistics/made_up_rigs.hpp"
 
 #include <chrono>
@@ -224,6 +225,19 @@ void closure_table(Study const& options)
     }
 }
 
+void interval_table()
+{
+    fmt::print(
+        "\n| held-out experiments | not at the floor | 90 % interval holds the closure | median width |\n"
+        "|---|---|---|---|\n");
+    for (int experiments : {1, 2, 3, 6, 12}) {
+        int const cases = 500;
+        auto const found = closure_coverage(experiments, cases);
+        fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} |\n", experiments, 1. * found.judged / cases,
+                   1. * found.held / found.judged, quantile(found.widths, 0.5));
+    }
+}
+
 //! Seconds a diagnosis takes, linear effects and such with T and q.
 void time_table()
 {
@@ -266,5 +280,6 @@ int main(int argc, char** argv)
     outside_table(study);
     pairs_table(study);
     closure_table(study);
+    interval_table();
     return 0;
 }
