@@ -2,6 +2,7 @@
 #include "app/command.hpp"
 #include "app/mpi_scope.hpp"
 #include "app/new_campaign.hpp"
+#include "app/rehearse.hpp"
 #include "demens/base/error.hpp"
 #include "ensemble/mpi/agreement.hpp"
 #include "ensemble/session.hpp"
@@ -126,6 +127,7 @@ void add_gap(CLI::App& program, Action& action)
             return on_all_ranks([&] { return plan_ahead(options->toml, options->output, options->json); });
         };
     });
+    add_rehearse(*command, action);
     command->callback([options, command, &action] {
         if (!command->get_subcommands().empty())
             return;

@@ -1,6 +1,7 @@
 #include "gap/campaign/campaign_signature.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
+constexpr double most_over_typical = 3;   //!< amplitude at which an effect is simulated
 constexpr double interaction_step = 0.15; //!< of a factor's range, on either side of theta0
 
 Sign sign_of(ensemble::EffectSign sign)
@@ -151,12 +153,14 @@ std::vector<double> screening_amplitudes(ensemble::Effect const& effect)
     return {effect.sign == ensemble::EffectSign::negative ? -effect.typical : effect.typical};
 }
 
-std::vector<double> full_amplitudes(ensemble::Effect const& effect)
+std::vector<double> full_amplitudes(ensemble::Effect const& effect, double fitted)
 {
     double const a = screening_amplitudes(effect).front();
-    if (effect.sign == ensemble::EffectSign::either)
-        return {a, -a};
-    return {a, 0.5 * a};
+    double const share = std::clamp(fitted / a, -most_over_typical, most_over_typical);
+    bool const tells_more = std::abs(share) > 0.25 && std::abs(share - 1) > 0.25 &&
+                            (share > 0 || effect.sign == ensemble::EffectSign::either);
+    double const usual = effect.sign == ensemble::EffectSign::either ? -1 : 0.5;
+    return {a, (tells_more ? share : usual) * a};
 }
 
 std::vector<VectorXd> interaction_changes(CalibratedModel const& model)

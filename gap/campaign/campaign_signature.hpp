@@ -22,7 +22,8 @@ MadeSignature signature_of(CandidateEffect const& candidate, CampaignEvidence co
 
 //! Amplitudes at which an effect is simulated: the first look, and all of them in full.
 std::vector<double> screening_amplitudes(ensemble::Effect const& effect);
-std::vector<double> full_amplitudes(ensemble::Effect const& effect);
+//! \param fitted amplitude that the first look gives it
+std::vector<double> full_amplitudes(ensemble::Effect const& effect, double fitted);
 //! Changes of the free factors (unit cube) about theta0 at which an effect in full is simulated, two a
 //! factor.
 std::vector<Eigen::VectorXd> interaction_changes(CalibratedModel const& model);

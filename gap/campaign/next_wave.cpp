@@ -94,7 +94,8 @@ WavePlan full_wave(Campaign const& campaign, Diagnosis const& diagnosis)
                       experiments_of(campaign.input, ExperimentRole::calibrate), options.screening_packings);
     for (int k = 0; k < static_cast<int>(effects.size()); ++k) {
         auto const& effect = effects[static_cast<std::size_t>(k)];
-        for (double const amplitude : full_amplitudes(effect))
+        double const fitted = diagnosis.refitted_with(places[static_cast<std::size_t>(k)]).amplitudes[0];
+        for (double const amplitude : full_amplitudes(effect, fitted))
             writer.add(1, all.model.point, k, amplitude);
         for (auto const& change : interaction_changes(all.model))
             writer.add(1, all.model.moved(change), k, screening_amplitudes(effect).front());

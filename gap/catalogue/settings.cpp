@@ -1,6 +1,7 @@
 #include "gap/catalogue/settings.hpp"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace demens::gap {
@@ -27,7 +28,7 @@ std::vector<std::string> of_each(std::vector<std::string> const& words, std::str
 {
     std::vector<std::string> all;
     for (auto const& word : words)
-        all.push_back(before + word + after);
+        all.push_back(fmt::format("{}{}{}", before, word, after));
     return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace demens::gap {
@@ -51,7 +52,7 @@ std::vector<std::string> Setup::contacts_among_grains() const
     std::vector<std::string> contacts;
     for (auto const& [a, b] : input_->pairs())
         if (contains(grains_, a) && contains(grains_, b))
-            contacts.push_back("contact." + a + "_" + b);
+            contacts.push_back(fmt::format("contact.{}_{}", a, b));
     return contacts;
 }
 
@@ -60,7 +61,7 @@ std::vector<std::string> Setup::contacts_with(std::vector<std::string> const& ot
     std::vector<std::string> contacts;
     for (auto const& [a, b] : input_->pairs())
         if ((contains(grains_, a) && contains(others, b)) || (contains(others, a) && contains(grains_, b)))
-            contacts.push_back("contact." + a + "_" + b);
+            contacts.push_back(fmt::format("contact.{}_{}", a, b));
     return contacts;
 }
 

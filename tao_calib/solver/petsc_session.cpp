@@ -12,6 +12,11 @@ PetscSession::PetscSession()
     MPI_Initialized(&ready);
     if (!ready)
         throw std::runtime_error("PETSc is started before MPI: call MPI_Init_thread first");
+    PetscBool inside = PETSC_FALSE;
+    if (PetscInitialized(&inside) == 0 && inside) {
+        begins_ = false;
+        return;
+    }
     PETSC_COMM_WORLD = MPI_COMM_SELF;
     // No files of the user and no handlers of PETSc: they would change results and hide the program's own
     // signals.
@@ -28,6 +33,8 @@ PetscSession::PetscSession()
 
 PetscSession::~PetscSession()
 {
+    if (!begins_)
+        return;
     (void)PetscPopErrorHandler();
     (void)PetscFinalize();
 }

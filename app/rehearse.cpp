@@ -1,0 +1,221 @@
+// Cases whose cause is known: drawn and sealed, diagnosed without it, scored.
+#include "app/rehearse.hpp"
+
+#include "app/command.hpp"
+#include "app/mpi_scope.hpp"
+#include "app/new_campaign.hpp"
+#include "demens/base/error.hpp"
+#include "ensemble/mpi/agreement.hpp"
+#include "gap/campaign/diagnose.hpp"
+#include "gap/campaign/report.hpp"
+#include "gap/rehearsal/measure.hpp"
+#include "gap/rehearsal/scores.hpp"
+#include "tao_calib/calibrate.hpp"
+#include "tao_calib/solver/petsc_session.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace demens::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using ensemble::on_root;
+using nlohmann::json;
+
+void write(fs::path const& file, std::string const& text)
+{
+    std::ofstream out(file);
+    out << text;
+    out.close();
+    if (!out)
+        throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+}
+
+json read_json(fs::path const& file)
+{
+    std::ifstream in(file);
+    if (!in)
+        throw InputError(fmt::format("{}: cannot be read", file.string()));
+    try {
+        return json::parse(in);
+    } catch (json::exception const& error) {
+        throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
+//! The truth of a case, drawn and sealed where that was not done before. On rank 0.
+gap::CaseTruth sealed_truth(fs::path const& folder, ensemble::CampaignInput const& input,
+                            gap::RehearsedEffects const& effects, std::string const& name)
+{
+    auto const file = folder / "truth" / (name + ".json");
+    if (fs::exists(file))
+        return gap::truth_of(read_json(file).at("truth"));
+    auto const truth = gap::draw_case(input, effects, name, gap::entropy());
+    auto const salt = gap::new_salt();
+    write(file, json{{"salt", salt}, {"truth", gap::json_of(truth)}}.dump(1) + "\n");
+    auto seals = fs::exists(folder / "seals.json") ? read_json(folder / "seals.json") : json::object();
+    seals[name] = gap::seal_of(salt, truth);
+    write(folder / "seals.json", seals.dump(1) + "\n");
+    fmt::print("{} {}\n", name, seals[name].get<std::string>());
+    return truth;
+}
+
+void write_case(fs::path const& folder, ensemble::CampaignInput const& input, std::string const& text)
+{
+    fs::create_directories(folder);
+    for (auto const& [name, content] : input.files()) {
+        fs::create_directories((folder / name).parent_path());
+        write(folder / name, *content);
+    }
+    write(folder / "campaign.toml", text);
+}
+
+int draw(std::string const& toml, fs::path const& folder, int cases, int repeats)
+{
+    auto const input = ensemble::CampaignInput::from_file(toml);
+    auto const effects = gap::rehearsed_effects(input);
+    on_root(MPI_COMM_WORLD, [&] { fs::create_directories(folder / "truth"); });
+    for (int k = 1; k <= cases; ++k) {
+        auto const name = fmt::format("case{:02}", k);
+        gap::CaseTruth truth;
+        std::vector<int> is_there(1);
+        on_root(MPI_COMM_WORLD, [&] {
+            truth = sealed_truth(folder, input, effects, name);
+            is_there[0] = fs::exists(folder / "cases" / name / "campaign.toml");
+        });
+        ensemble::broadcast(MPI_COMM_WORLD, is_there);
+        if (is_there[0] != 0)
+            continue;
+        auto const text = gap::measured_campaign(MPI_COMM_WORLD, input, effects, truth,
+                                                 folder / "truth" / (name + ".h5"), repeats);
+        std::vector<int> stopped = {text.empty()};
+        ensemble::broadcast(MPI_COMM_WORLD, stopped);
+        if (stopped[0] != 0)
+            return drained;
+        on_root(MPI_COMM_WORLD, [&] { write_case(folder / "cases" / name, input, text); });
+    }
+    return success;
+}
+
+std::vector<fs::path> case_folders(fs::path const& folder)
+{
+    std::vector<fs::path> folders;
+    if (fs::is_directory(folder / "cases"))
+        for (auto const& entry : fs::directory_iterator(folder / "cases"))
+            if (fs::exists(entry.path() / "campaign.toml"))
+                folders.push_back(entry.path());
+    std::sort(folders.begin(), folders.end());
+    if (folders.empty())
+        throw InputError(
+            fmt::format("{}: has no cases/NAME/campaign.toml; draw cases first", folder.string()));
+    return folders;
+}
+
+//! Calibrates and diagnoses a case as any campaign; what a folder of cases holds is all that it sees.
+bool diagnose_case(fs::path const& folder)
+{
+    auto const file = folder / "campaign.h5";
+    on_root(MPI_COMM_WORLD, [&] { make_or_accept(folder / "campaign.toml", file); });
+    ensemble::Session session(MPI_COMM_WORLD, file);
+    auto const end = tao_calib::calibrate(session);
+    if (end == tao_calib::CalibrationEnd::drained)
+        return false;
+    if (end == tao_calib::CalibrationEnd::finished && gap::diagnose(session) == ensemble::WaveEnd::drained)
+        return false;
+    on_root(MPI_COMM_WORLD, [&] {
+        json answer = {{"failure", session.campaign().ended}};
+        if (end == tao_calib::CalibrationEnd::finished)
+            answer = gap::gap_document(session.campaign());
+        write(folder / "answer.json", answer.dump(1) + "\n");
+        fmt::print("{}: {}\n", folder.filename().string(),
+                   answer.contains("which") ? answer["which"]["verdict"].get<std::string>()
+                                            : "could not be calibrated");
+    });
+    return true;
+}
+
+int diagnose(fs::path const& folder)
+{
+    tao_calib::PetscSession const petsc; // of all cases
+    for (auto const& one : case_folders(folder))
+        if (!fs::exists(one / "answer.json") && !diagnose_case(one))
+            return drained;
+    return success;
+}
+
+int score(fs::path const& folder)
+{
+    std::vector<gap::AnsweredCase> cases;
+    auto const seals = read_json(folder / "seals.json");
+    int failed = 0;
+    for (auto const& one : case_folders(folder)) {
+        auto const name = one.filename().string();
+        auto const sealed = read_json(folder / "truth" / (name + ".json"));
+        auto const truth = gap::truth_of(sealed.at("truth"));
+        if (gap::seal_of(sealed.at("salt"), truth) != seals.at(name).get<std::string>())
+            throw InputError(fmt::format("{}: its truth is not the one that was sealed", name));
+        if (!fs::exists(one / "answer.json"))
+            throw InputError(fmt::format("{}: has no answer yet; diagnose the cases first", name));
+        auto answer = read_json(one / "answer.json");
+        if (!answer.contains("which")) {
+            ++failed;
+            continue;
+        }
+        fmt::print(
+            "{:<8} {:<8} {:<44} {}\n", name, word_for(truth.kind),
+            [&] {
+                std::string text;
+                for (std::size_t k = 0; k < truth.effects.size(); ++k)
+                    text += fmt::format("{}{} x {:g}", k ? ", " : "", truth.effects[k], truth.strengths[k]);
+                return text;
+            }(),
+            answer["which"]["verdict"].get<std::string>());
+        cases.push_back({truth, std::move(answer)});
+    }
+    fmt::print("\n{}", gap::score_text(cases));
+    if (failed > 0)
+        fmt::print("{} cases could not be calibrated and are not counted\n", failed);
+    return success;
+}
+
+} // namespace
+
+void add_rehearse(CLI::App& gap, Action& action)
+{
+    struct Options
+    {
+        std::string toml, folder;
+        int cases = 12, repeats = 3;
+    };
+    auto options = std::make_shared<Options>();
+    auto* command = gap.add_subcommand(
+        "rehearse",
+        "cases whose cause is known, on one's own rigs: draw and seal, diagnose without it, score");
+    command->require_subcommand(1);
+    auto* drawn = command->add_subcommand(
+        "draw", "draw effects, strengths and factors, seal them, simulate what is measured; under mpirun");
+    drawn->add_option("FILE.toml", options->toml, "campaign with [gap]; its measured values are replaced")
+        ->required();
+    drawn->add_option("-o,--output", options->folder, "folder for the cases; goes on with it")->required();
+    drawn->add_option("--cases", options->cases, "how many")->check(CLI::Range(1, 999));
+    drawn->add_option("--repeats", options->repeats, "measurements of each experiment")
+        ->check(CLI::Range(1, 1000));
+    drawn->callback([options, &action] {
+        action = [options] {
+            return on_all_ranks(
+                [&] { return draw(options->toml, options->folder, options->cases, options->repeats); });
+        };
+    });
+    auto* diagnosed = command->add_subcommand("diagnose", "diagnose the cases of a folder; under mpirun");
+    diagnosed->add_option("FOLDER", options->folder, "of cases")->required();
+    diagnosed->callback([options, &action] {
+        action = [options] { return on_all_ranks([&] { return diagnose(options->folder); }); };
+    });
+    auto* scored = command->add_subcommand("score", "open the seals and score the answers");
+    scored->add_option("FOLDER", options->folder, "of cases with their truths")->required();
+    scored->callback([options, &action] { action = [options] { return score(options->folder); }; });
+}
+
+} // namespace demens::cli

@@ -1,0 +1,108 @@
+#include "gap/rehearsal/measure.hpp"
+
+#include "demens/base/error.hpp"
+#include "ensemble/mpi/agreement.hpp"
+#include "gap/campaign/campaign_cells.hpp"
+#include "gap/campaign/simulated_points.hpp"
+#include "gap/statistics/gaussian.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace demens::gap {
+namespace {
+
+using ensemble::CampaignInput, ensemble::ExperimentRole, ensemble::TargetSource;
+
+constexpr std::uint64_t noise_stream = 0x6e6f697365; // "noise"
+
+void require_scalars(CampaignInput const& input)
+{
+    for (auto const& experiment : input.experiments)
+        for (auto const& target : targets_of(experiment))
+            if (target.comes_of != TargetSource::value)
+                throw InputError(
+                    fmt::format("experiment.{}.target.{}: a rehearsal makes up single values, no curves "
+                                "and pictures",
+                                experiment.name, target.response));
+}
+
+ensemble::WavePlan plan_of(CampaignInput const& input, RehearsedEffects const& effects,
+                           CaseTruth const& truth, int repeats)
+{
+    ensemble::WavePlan plan{.purpose = ensemble::WavePurpose::closure, .points = {truth.factors}};
+    for (auto const& name : truth.effects)
+        for (auto const* list : {&effects.listed, &effects.outside})
+            for (auto const& candidate : *list)
+                if (candidate.effect.name == name)
+                    plan.effects.push_back(candidate.effect);
+    if (!plan.effects.empty())
+        plan.amplitudes = {truth.amplitudes};
+    for (std::size_t e = 0; e < input.experiments.size(); ++e)
+        if (input.experiments[e].role != ExperimentRole::consider)
+            plan.experiments.push_back(static_cast<int>(e));
+    plan.replicates = repeats;
+    return plan;
+}
+
+//! The same campaign with a seed of its own: what is measured has other packings than what is simulated.
+CampaignInput with_other_packings(CampaignInput input)
+{
+    input.seed = entropy() >> 1; // TOML's numbers have a sign
+    auto const& files = input.files();
+    return CampaignInput::from_text(input.resolved_text_at({}), "a rehearsed case", rig::all_rigs(),
+                                    ensemble::input::stored_files(files));
+}
+
+//! The author's campaign, with the means of the runs and noise of the measurements in the place of values.
+std::string with_values(CampaignInput input, ensemble::Campaign const& reality, CaseTruth const& truth,
+                        std::uint64_t seed)
+{
+    auto const runs = reality.all_runs();
+    RandomStream random(derive_seed(seed, noise_stream));
+    for (std::size_t e = 0; e < input.experiments.size(); ++e) {
+        auto& experiment = input.experiments[e];
+        if (experiment.role == ExperimentRole::consider)
+            continue;
+        for (auto& target :
+             experiment.role == ExperimentRole::calibrate ? experiment.targets : experiment.held_out) {
+            double sum = 0;
+            int count = 0;
+            for (auto const& run : runs)
+                if (run.experiment == static_cast<int>(e) && run.status == rig::RunStatus::finished) {
+                    sum += run.responses[static_cast<std::size_t>(target.response_index)];
+                    ++count;
+                }
+            if (count == 0)
+                throw InputError(fmt::format("{}: no run of {} has finished, so that nothing is measured",
+                                             truth.name, experiment.name));
+            double const sd = std::isnan(target.sd) ? target.scale : target.sd;
+            target.value = sum / count + sd * standard_normal(random);
+        }
+    }
+    input.name = truth.name;
+    return input.resolved_text_at({});
+}
+
+} // namespace
+
+std::string measured_campaign(MPI_Comm communicator, CampaignInput const& input,
+                              RehearsedEffects const& effects, CaseTruth const& truth,
+                              std::filesystem::path const& file, int repeats)
+{
+    ensemble::on_root(communicator, [&] {
+        require_scalars(input);
+        if (!std::filesystem::exists(file))
+            ensemble::create_campaign_file(file, with_other_packings(input),
+                                           plan_of(input, effects, truth, repeats));
+    });
+    ensemble::Session session(communicator, file);
+    if (session.run_wave() == ensemble::WaveEnd::drained)
+        return {};
+    std::string text;
+    ensemble::on_root(communicator, [&] { text = with_values(input, session.campaign(), truth, entropy()); });
+    return text;
+}
+
+} // namespace demens::gap

@@ -1,0 +1,177 @@
+#include "gap/rehearsal/scores.hpp"
+
+#include "demens/base/error.hpp"
+#include "gap/statistics/score.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+
+namespace demens::gap {
+namespace {
+
+using nlohmann::json;
+
+//! Classes: none, effects as the answer lists them, unknown. A pair counts for both of its effects by half.
+struct Classes
+{
+    std::vector<std::string> names;
+    std::vector<double> probabilities;
+
+    std::string first() const
+    {
+        return names[static_cast<std::size_t>(std::max_element(probabilities.begin(), probabilities.end()) -
+                                              probabilities.begin())];
+    }
+};
+
+Classes classes_of(json const& answer)
+{
+    auto const& which = answer.at("which");
+    Classes classes{{"none", "unknown"}, {which.at("none"), which.at("unknown")}};
+    for (auto const& effect : which.at("effects")) {
+        classes.names.push_back(effect.at("effect"));
+        classes.probabilities.push_back(0);
+    }
+    for (auto const& hypothesis : which.at("hypotheses")) {
+        auto const& effects = hypothesis.at("effects");
+        for (std::string const name : effects)
+            for (std::size_t k = 2; k < classes.names.size(); ++k)
+                if (classes.names[k] == name)
+                    classes.probabilities[k] +=
+                        hypothesis.at("probability").get<double>() / static_cast<double>(effects.size());
+    }
+    return classes;
+}
+
+bool names_anything(json const& answer)
+{
+    return !answer.at("which").at("named").empty() || !answer.at("which").at("named_groups").empty();
+}
+
+//! Whether the answer names the effect, alone or in a group.
+bool names(json const& answer, std::string const& effect)
+{
+    auto const& which = answer.at("which");
+    auto const holds = [&](json const& list) {
+        return std::find(list.begin(), list.end(), effect) != list.end();
+    };
+    return holds(which.at("named")) ||
+           std::any_of(which.at("named_groups").begin(), which.at("named_groups").end(), holds);
+}
+
+//! Whether the effect, or one of a group with it, comes first.
+bool first_in_group(json const& answer, std::string const& first, std::string const& effect)
+{
+    if (first == effect)
+        return true;
+    for (auto const& group : answer.at("which").at("groups")) {
+        auto const& members = group.at("effects");
+        auto const holds = [&](std::string const& name) {
+            return std::find(members.begin(), members.end(), name) != members.end();
+        };
+        if (holds(first) && holds(effect))
+            return true;
+    }
+    return false;
+}
+
+class Share
+{
+  public:
+    void add(bool hit)
+    {
+        ++cases_;
+        hits_ += hit;
+    }
+    std::string text() const
+    {
+        if (cases_ == 0)
+            return "no case";
+        auto const [lower, upper] = share_interval(hits_, cases_);
+        return fmt::format("{} of {}, {:.0f} % ({:.0f} to {:.0f})", hits_, cases_, 100.0 * hits_ / cases_,
+                           100 * lower, 100 * upper);
+    }
+
+  private:
+    int hits_ = 0, cases_ = 0;
+};
+
+bool is_unknown(json const& answer, Classes const& classes)
+{
+    auto const& which = answer.at("which");
+    return classes.first() == "unknown" || which.at("verdict").get<std::string>().starts_with("unknown") ||
+           which.at("misfit").get<double>() > which.at("misfit_limit").get<double>();
+}
+
+} // namespace
+
+std::string score_text(std::vector<AnsweredCase> const& cases)
+{
+    Share first, in_group, named, false_first, false_named, flagged, misnamed, one_of_pair, both_of_pair;
+    std::vector<double> closures;
+    double brier = 0, logs = 0;
+    for (auto const& [truth, answer] : cases) {
+        auto const classes = classes_of(answer);
+        auto const top = classes.first();
+        std::string const right = truth.kind == CaseKind::none      ? "none"
+                                  : truth.kind == CaseKind::outside ? "unknown"
+                                                                    : truth.effects.front();
+        double p_truth = 0;
+        for (std::size_t k = 0; k < classes.names.size(); ++k) {
+            bool const is_right = classes.names[k] == right ||
+                                  (truth.kind == CaseKind::pair && classes.names[k] == truth.effects[1]);
+            p_truth += is_right ? classes.probabilities[k] : 0;
+            brier += std::pow(classes.probabilities[k] - (classes.names[k] == right ? 1 : 0), 2);
+        }
+        logs -= std::log(std::max(p_truth, 1e-12));
+        switch (truth.kind) {
+        case CaseKind::none:
+            false_first.add(top != "none");
+            false_named.add(names_anything(answer));
+            break;
+        case CaseKind::single:
+            first.add(top == right);
+            in_group.add(first_in_group(answer, top, right));
+            named.add(names(answer, right));
+            break;
+        case CaseKind::pair:
+            one_of_pair.add(top == truth.effects[0] || top == truth.effects[1]);
+            both_of_pair.add(names(answer, truth.effects[0]) && names(answer, truth.effects[1]));
+            break;
+        case CaseKind::outside:
+            flagged.add(is_unknown(answer, classes));
+            misnamed.add(names_anything(answer));
+            break;
+        }
+        if (truth.kind == CaseKind::single && !answer.at("how_far").is_null())
+            for (auto const& effect : answer.at("how_far").at("effects"))
+                if (effect.at("effect") == right && effect.at("closure").is_number())
+                    closures.push_back(effect.at("closure"));
+    }
+    std::sort(closures.begin(), closures.end());
+    std::string text;
+    auto const line = [&](char const* what, std::string const& value) {
+        fmt::format_to(std::back_inserter(text), "{:<52} {}\n", what, value);
+    };
+    line("cases", std::to_string(cases.size()));
+    line("single effect: right cause first", first.text());
+    line("single effect: in its group", in_group.text());
+    line("single effect: named, alone or in a group", named.text());
+    line("none: another answer first", false_first.text());
+    line("none: something named", false_named.text());
+    line("outside the list: flagged unknown", flagged.text());
+    line("outside the list: something named", misnamed.text());
+    line("pairs: one of them first", one_of_pair.text());
+    line("pairs: both named", both_of_pair.text());
+    line("closure of the right single effect, median",
+         closures.empty() ? "no case" : fmt::format("{:.2f}", closures[closures.size() / 2]));
+    if (!cases.empty()) {
+        line("Brier score", fmt::format("{:.3f}", brier / static_cast<double>(cases.size())));
+        line("log score", fmt::format("{:.3f}", logs / static_cast<double>(cases.size())));
+    }
+    return text;
+}
+
+} // namespace demens::gap

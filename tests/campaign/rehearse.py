@@ -1,0 +1,75 @@
+"""Rehearses a few cases on the impact of a ball: drawn and sealed, diagnosed in a folder without their truths, scored.
+
+usage: rehearse.py DEMENS MPIRUN TOML.in
+"""
+import hashlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+demens, mpirun, template = sys.argv[1:4]
+environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                   OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none")
+cases = 6
+
+
+def run(*command):
+    return subprocess.run(command, check=True, env=environment, capture_output=True, text=True).stdout
+
+
+def experiment(name, speed, angle, responses):
+    text = f'\n[[experiment]]\nname = "{name}"\nrig = "impact"\nmaterial = "ball"\nwall_material = "plate"\n'
+    text += f"speed_m_s = {speed}\nangle_deg = {angle}\n"
+    for response, sd in responses.items():
+        text += f"target.{response} = {{ value = 1.0, scale = {sd}, sd = {sd} }}\n"
+    return text
+
+
+with tempfile.TemporaryDirectory() as folder:
+    os.chdir(folder)
+    normal = {"normal_restitution": 0.004, "largest_overlap_um": 0.15, "contact_time_us": 0.6}
+    oblique = dict(normal, tangential_restitution=0.004, rebound_spin_rad_s=1.0)
+    text = experiment("straight", 1, 0, normal) + experiment("slanted", 1, 30, oblique) + experiment("flat", 1, 65, oblique)
+    text += experiment("fast", 3, 45, oblique)
+    for name, (speed, angle) in {"slow": (0.05, 0), "grazing": (1.0, 85)}.items():
+        text += experiment(name, speed, angle, {"contact_time_us": 0.6})
+    with open(template) as given, open("campaign.toml", "w") as campaign:
+        campaign.write(given.read().replace("@EXPERIMENTS@", text).replace(
+            "form_floor = 0.01", 'form_floor = 0.01\neffects = ["softening", "wall_friction"]'))
+
+    said = run(mpirun, "-n", "2", demens, "gap", "rehearse", "draw", "campaign.toml", "-o", "rehearsal", "--cases", str(cases))
+    seals = json.load(open("rehearsal/seals.json"))
+    assert len(seals) == cases and all(seal in said for seal in seals.values()), said
+    again = run(mpirun, "-n", "2", demens, "gap", "rehearse", "draw", "campaign.toml", "-o", "rehearsal", "--cases", str(cases))
+    assert again == "", "what is drawn stays: " + again
+
+    # the diagnosis has the cases alone; nothing in them tells the truth, not even a file's size
+    shutil.copytree("rehearsal/cases", "blind/cases")
+    os.rename("rehearsal", "elsewhere")
+    texts = {name: open(f"blind/cases/{name}/campaign.toml").read() for name in seals}
+    for name, text in texts.items():
+        assert os.listdir(f"blind/cases/{name}") == ["campaign.toml"]
+        other = [line for line in text.splitlines() if "target." not in line and not line.startswith("name = ")]
+        first = [line for line in texts["case01"].splitlines() if "target." not in line and not line.startswith("name = ")]
+        assert other == first, "but for the measured values all cases say the same"
+    print(run(mpirun, "-n", "2", demens, "gap", "rehearse", "diagnose", "blind"))
+    os.rename("elsewhere", "rehearsal")
+    for name in seals:
+        shutil.copy(f"blind/cases/{name}/answer.json", f"rehearsal/cases/{name}/answer.json")
+        sealed = json.load(open(f"rehearsal/truth/{name}.json"))
+        canonical = sealed["salt"] + json.dumps(sealed["truth"], sort_keys=True, separators=(",", ":"))
+        # numbers are written alike by both programs but for exponents, which these have none of
+        assert hashlib.sha256(canonical.encode()).hexdigest() == seals[name], (name, canonical)
+    scores = run(demens, "gap", "rehearse", "score", "rehearsal")
+    print(scores)
+    assert "single effect: right cause first" in scores and "Brier score" in scores, scores
+    # what is drawn is new each time, so that the scores themselves are not for a test
+
+    truth = json.load(open("rehearsal/truth/case01.json"))
+    truth["truth"]["kind"] = "none" if truth["truth"]["kind"] != "none" else "single"
+    json.dump(truth, open("rehearsal/truth/case01.json", "w"))
+    broken = subprocess.run([demens, "gap", "rehearse", "score", "rehearsal"], env=environment, capture_output=True, text=True)
+    assert broken.returncode == 2 and "not the one that was sealed" in broken.stderr, broken
