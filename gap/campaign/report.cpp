@@ -126,6 +126,14 @@ std::string percent(double share)
     return fmt::format("{:.0f} %", 100 * share);
 }
 
+std::vector<Cell> cells_alone(std::vector<CampaignCell> const& cells)
+{
+    std::vector<Cell> alone;
+    for (auto const& cell : cells)
+        alone.push_back(cell.cell);
+    return alone;
+}
+
 void write_how_far(std::string& text, Diagnosis const& found, std::optional<CampaignClosure> const& closure)
 {
     auto const to = std::back_inserter(text);
@@ -159,15 +167,21 @@ void write_how_far(std::string& text, Diagnosis const& found, std::optional<Camp
                 ? fmt::format("{} ({})", percent(effect.best_decoy), effect.decoy_name)
                 : "none");
     }
+    if (groups_by_experiment(cells_alone(closure->cells)).size() == 1)
+        fmt::format_to(
+            to, "  one experiment is held out: intervals know its measurements and packings alone, not "
+                "how conditions differ\n");
     auto const& best =
         *std::max_element(closure->effects.begin(), closure->effects.end(),
                           [](auto const& a, auto const& b) { return a.closure.closure < b.closure.closure; });
     for (std::size_t i = 0; i < closure->cells.size(); ++i) {
         auto const& cell = best.closure.cells[i];
-        fmt::format_to(to, "  {:<44} off by {:+.3g} before, {:+.3g} with {}, floor {:.2g} {}\n",
-                       closure->cells[i].cell.name, cell.before, cell.after,
-                       found.effects()[static_cast<std::size_t>(best.effect)].name, cell.floor,
-                       closure->cells[i].units);
+        auto const after = before.at_floor()
+                               ? std::string()
+                               : fmt::format(" before, {:+.3g} with {}", cell.after,
+                                             found.effects()[static_cast<std::size_t>(best.effect)].name);
+        fmt::format_to(to, "  {:<44} off by {:+.3g}{}, floor {:.2g} {}\n", closure->cells[i].cell.name,
+                       cell.before, after, cell.floor, closure->cells[i].units);
     }
 }
 
