@@ -126,6 +126,8 @@ std::vector<CatalogueEntry> const& catalogue()
         vibration(),
         gate(),
         filling_history(),
+        rest(),
+        cover_motion(),
         slot_width(),
         size_scale(),
         fines(),

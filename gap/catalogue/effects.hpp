@@ -14,6 +14,8 @@ CatalogueEntry lean();
 CatalogueEntry vibration();
 CatalogueEntry gate();
 CatalogueEntry filling_history();
+CatalogueEntry rest();
+CatalogueEntry cover_motion();
 CatalogueEntry slot_width();
 CatalogueEntry size_scale();
 CatalogueEntry fines();

@@ -160,6 +160,8 @@ TEST(Catalogue, EffectsOfTheOperationChangeWhatIsReported)
     EXPECT_EQ(run_with("lean", -1, 1).experiment.number("lean_x_deg"), -1);
     EXPECT_DOUBLE_EQ(run_with("vibration", 0.5).experiment.vector("vibration_m_s2").z, 4.905);
     EXPECT_DOUBLE_EQ(run_with("air_drag", 2).experiment.number("gas_viscosity_Pa_s"), 3.6e-5);
+    EXPECT_DOUBLE_EQ(run_with("cover_motion", 0.25).experiment.number("end_speed_factor"), 0.75);
+    EXPECT_DOUBLE_EQ(run_with("rest", 0.5, 2).experiment.number("rest_s"), 0.5);
     EXPECT_DOUBLE_EQ(run_with("size_scale", 0.1, 1).experiment.number("size_factor"), 1.1);
     EXPECT_DOUBLE_EQ(run_with("fines", 0.2).experiment.number("tail_mass_fraction"), 0.2);
     EXPECT_DOUBLE_EQ(run_with("fines", 0.2).experiment.number("tail_mm"), 1.8);
