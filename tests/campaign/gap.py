@@ -1,14 +1,16 @@
 """Diagnoses made-up gaps of the impact of a ball: none, and a ball that is softer than the model has it.
 
-usage: gap.py DEMENS MPIRUN TOML.in
+usage: gap.py DEMENS MPIRUN TOML.in [CHROMIUM], with which the page is looked at in a real browser
 """
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
 
 demens, mpirun, template = sys.argv[1:4]
+chromium = sys.argv[4] if len(sys.argv) > 4 else None
 environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                    OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none")
 conditions = {"straight": (1.0, 0), "slanted": (1.0, 30), "flat": (1.0, 65), "fast": (3.0, 45)}
@@ -68,7 +70,19 @@ def diagnose(name, ranks, *settings):
     return json.loads(run(demens, "gap", name + ".h5", "--json"))
 
 
-with tempfile.TemporaryDirectory() as folder:
+def look_at_page(name):
+    """The report of a diagnosed campaign: no errors in its scripts, something in each plot of the gap."""
+    run(demens, "report", name + ".h5")
+    options = ("--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--disable-quic", "--no-first-run",
+               "--disable-background-networking", "--disable-component-update", "--disable-sync", "--virtual-time-budget=20000")
+    page = subprocess.run([chromium, *options, f"--user-data-dir={os.getcwd()}/profile", "--dump-dom",
+                           f"file://{os.getcwd()}/{name}.html"], capture_output=True, text=True, timeout=120).stdout
+    assert re.search(r'<body[^>]* data-errors="0"[^>]* data-ready="yes"', page)
+    for plot in ("gap-cells", "gap-hypotheses", "gap-closures", "gap-signatures"):
+        assert re.search(f'data-plot="{plot}" [^>]*data-marks="[1-9]', page), plot
+
+
+with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
     os.chdir(folder)
     factors = ("contact.ball_plate.static_friction=0.31", "contact.ball_plate.restitution=0.62")
     none = diagnose("none", 2, *factors)
@@ -89,6 +103,9 @@ with tempfile.TemporaryDirectory() as folder:
     assert closures["softening"]["closure"] > 0.8 and not closures["softening"]["at_floor"], closures
 
     assert {one["experiment"] for one in soft["next"]} == set(candidates) and soft["next"][0]["value"] == 1, soft["next"]
+
+    if chromium:
+        look_at_page("soft")
 
     # the same bits on another number of ranks, whatever stopped it before
     os.rename("soft.h5", "two_ranks.h5")
