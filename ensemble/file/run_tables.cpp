@@ -1,5 +1,6 @@
 #include "ensemble/file/run_tables.hpp"
 
+#include "ensemble/file/effect_tables.hpp"
 #include "ensemble/verdict.hpp"
 
 #include <algorithm>
@@ -79,19 +80,6 @@ hdf5::Meaning number(std::string doc)
 {
     return {{"1"}, {}, std::move(doc)};
 }
-//! One row per design point of these runs, which are ordered by point.
-std::vector<double> rows_of(std::vector<double> RunRecord::*member, std::vector<RunRecord> const& runs)
-{
-    std::vector<double> rows;
-    int last_point = -1;
-    for (auto const& run : runs) {
-        if (run.point != last_point)
-            rows.insert(rows.end(), (run.*member).begin(), (run.*member).end());
-        last_point = run.point;
-    }
-    return rows;
-}
-
 std::string responses_path(int wave, Experiment const& experiment)
 {
     return wave_path(wave) + "/responses/" + experiment.name;
@@ -140,51 +128,6 @@ void read_energy(hid_t file, std::string const& path, std::vector<RunRecord>& ru
             energy.*entry.value = *value++;
         if (!std::isnan(energy.turned_over))
             run.energy = energy;
-    }
-}
-
-//! The effects of a wave, and a row of their amplitudes for each design point.
-void write_effects(RowWriter& writer, Wave const& wave)
-{
-    auto const base = wave_path(wave.number);
-    if (wave.replicates > 0)
-        writer.set_attribute(base, "replicates", static_cast<std::int64_t>(wave.replicates));
-    if (wave.runs.empty() || !wave.runs.front().effects)
-        return;
-    auto const& effects = *wave.runs.front().effects;
-    writer.set_attribute(base, "effects", toml_text(effects));
-    hdf5::Meaning meaning{{"1"}, {}, "amplitudes of the effects, one row for each design point"};
-    for (auto const& effect : effects)
-        meaning.columns.push_back(effect.name);
-    writer.write(base + "/amplitudes", rows_of(&RunRecord::amplitudes, wave.runs), meaning, effects.size());
-}
-
-//! Effects and amplitudes of the runs, whose points are known. \throws FileError
-void read_effects(hid_t file, Wave& wave, CampaignInput const& input, std::int64_t first_point,
-                  std::size_t points)
-{
-    auto const base = wave_path(wave.number);
-    if (hdf5::has_attribute(file, base, "replicates"))
-        wave.replicates = static_cast<int>(hdf5::integer_attribute(file, base, "replicates"));
-    if (!hdf5::has_attribute(file, base, "effects"))
-        return;
-    std::shared_ptr<std::vector<Effect> const> effects;
-    try {
-        effects = std::make_shared<std::vector<Effect> const>(
-            input.effects_of(hdf5::text_attribute(file, base, "effects"), base));
-    } catch (InputError const& error) {
-        throw FileError(fmt::format("{}: effects: {}", base, error.what()));
-    }
-    auto const width = effects->size();
-    auto const rows = hdf5::read<double>(file, base + "/amplitudes", {points, width});
-    for (auto& run : wave.runs) {
-        auto const row = rows.begin() + static_cast<std::ptrdiff_t>((run.point - first_point) *
-                                                                    static_cast<std::int64_t>(width));
-        run.effects = effects;
-        run.amplitudes.assign(row, row + static_cast<std::ptrdiff_t>(width));
-        if (!std::all_of(run.amplitudes.begin(), run.amplitudes.end(),
-                         [](double value) { return std::isfinite(value); }))
-            throw FileError(fmt::format("{}/amplitudes: point {} is not a number", base, run.point));
     }
 }
 
@@ -311,7 +254,8 @@ std::vector<NamedArray> read_analysis(hid_t file, Wave const& wave, CampaignInpu
     auto const base = wave_path(wave.number);
     std::vector<std::string> paths;
     for (auto const& name : hdf5::children(file, base))
-        if (name != "design" && name != "amplitudes" && name != "runs" && name != "responses")
+        if (name != "design" && name != "effects" && name != "amplitudes" && name != "runs" &&
+            name != "responses")
             list_datasets(file, base + "/" + name, name + "/", paths);
     std::vector<NamedArray> arrays;
     for (auto const& path : paths) {
