@@ -39,15 +39,20 @@ class Conditions
                 }
     }
 
+    //! As many for each experiment, whatever its rig; 0 for numbers that only other rigs have.
     std::vector<double> of(Experiment const& experiment) const
     {
-        std::vector<double> coordinates;
+        std::map<std::string, double> own;
         for (auto const& option : experiment.rig->options)
-            if (auto const value = number(experiment, option)) {
-                auto const [least, most] = ranges_.at(experiment.rig->name + "." + option.key);
-                if (most > least)
-                    coordinates.push_back((*value - least) / (most - least));
-            }
+            if (auto const value = number(experiment, option))
+                own[experiment.rig->name + "." + option.key] = *value;
+        std::vector<double> coordinates;
+        for (auto const& [key, range] : ranges_) {
+            auto const [least, most] = range;
+            auto const value = own.find(key);
+            if (most > least)
+                coordinates.push_back(value == own.end() ? 0 : (value->second - least) / (most - least));
+        }
         return coordinates;
     }
 

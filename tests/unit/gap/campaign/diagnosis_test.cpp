@@ -52,6 +52,24 @@ TEST(CampaignDiagnosis, KnowsTheModelAboutItsEstimate)
     EXPECT_NEAR(evidence.measured[1], 21, 1e-9);
 }
 
+TEST(CampaignDiagnosis, KnowsConditionsOfSeveralRigs)
+{
+    auto rigs = test::line_rigs();
+    rigs.push_back(rigs.front());
+    rigs.back().name = "other";
+    rigs.back().options.push_back({.key = "width", .default_value = 1.0, .doc = "a number"});
+    auto const text = line_campaign(0) + "\n[[experiment]]\nname = \"wide\"\nrig = \"other\"\nwidth = 3.0\n"
+                                         "target.first = { value = 11.5, scale = 0.1, sd = 0.05 }\n"
+                                         "[[experiment]]\nname = \"narrow\"\nrig = \"other\"\n"
+                                         "target.first = { value = 11.5, scale = 0.1, sd = 0.05 }\n";
+    auto const input = ensemble::CampaignInput::from_text(text, "test", rigs);
+    auto const cells = cells_of(input, ensemble::ExperimentRole::calibrate);
+    for (auto const& cell : cells)
+        EXPECT_EQ(cell.cell.condition.size(), cells.front().cell.condition.size()) << cell.cell.name;
+    EXPECT_NE(cells.back().cell.condition, cells[cells.size() - 2].cell.condition) << "their widths differ";
+    EXPECT_NE(cells.back().cell.response_family, cells.front().cell.response_family) << "another rig";
+}
+
 TEST(CampaignDiagnosis, FindsAnEffectsSignatureToSecondOrderWithItsInteraction)
 {
     auto const campaign = diagnosed(line_campaign(0.6));
