@@ -1,17 +1,9 @@
 // Keys of what a model may lack: `[[effect]]`, and the lists of `[gap]`.
 #include "ensemble/input/campaign_input.hpp"
 #include "ensemble/input/input_options.hpp"
-
-#include <limits>
+#include "ensemble/input/option_defaults.hpp"
 
 namespace demens::ensemble::input {
-namespace {
-
-constexpr double positive = std::numeric_limits<double>::min();
-constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
-std::string const word;
-
-} // namespace
 
 std::vector<OptionSpec> const& effect_options()
 {

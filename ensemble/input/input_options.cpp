@@ -3,20 +3,13 @@
 #include "demens/contact/model.hpp"
 #include "demens/observe/picture/picture.hpp"
 #include "ensemble/input/campaign_input.hpp"
+#include "ensemble/input/option_defaults.hpp"
 #include "ensemble/input/section.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 namespace demens::ensemble::input {
-namespace {
-
-constexpr double positive = std::numeric_limits<double>::min();
-constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
-std::string const word;
-
-} // namespace
 
 std::vector<OptionSpec> const& campaign_options()
 {

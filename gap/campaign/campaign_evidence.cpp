@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace demens::gap {
 namespace {
@@ -36,34 +37,7 @@ VectorXd base_means(SimulatedPoint const* base, ensemble::CampaignInput const& i
     return means;
 }
 
-Evidence make_evidence(std::vector<CampaignCell> const& cells, CalibratedModel const& model,
-                       std::vector<SimulatedPoint> const& points, SimulatedPoint const& base,
-                       VectorXd const& means, double form_floor)
-{
-    auto const n = static_cast<Eigen::Index>(cells.size());
-    auto const p = model.slopes.cols();
-    Evidence evidence;
-    evidence.measured.resize(n);
-    evidence.experiment_variance.resize(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        auto const& cell = cells[static_cast<std::size_t>(i)];
-        evidence.cells.push_back(cell.cell);
-        evidence.measured[i] = cell.target->value;
-        evidence.experiment_variance[i] = cell.sd * cell.sd;
-    }
-    evidence.predicted = means;
-    evidence.nuisance = model.slopes;
-    evidence.nuisance_prior = prior_variance * MatrixXd::Identity(p, p);
-    evidence.form_floor = form_floor;
-    for (std::size_t e = 0; e < base.runs.size(); ++e)
-        if (auto scatter = scatter_of(points, cells, static_cast<int>(e), base.count(static_cast<int>(e)));
-            !scatter.cells.empty() && scatter.degrees_of_freedom > 0)
-            evidence.packing.push_back(std::move(scatter));
-    return evidence;
-}
-
-} // namespace
-
+//! How a point's runs scatter, and how many degrees of freedom tell, of the cells of an experiment.
 PackingScatter scatter_of(std::vector<SimulatedPoint> const& points, std::vector<CampaignCell> const& cells,
                           int experiment, int packings)
 {
@@ -95,6 +69,30 @@ PackingScatter scatter_of(std::vector<SimulatedPoint> const& points, std::vector
     return scatter;
 }
 
+} // namespace
+
+Evidence measured_evidence(std::vector<CampaignCell> const& cells, std::vector<SimulatedPoint> const& points,
+                           SimulatedPoint const& base, double form_floor)
+{
+    auto const n = static_cast<Eigen::Index>(cells.size());
+    Evidence evidence;
+    evidence.measured.resize(n);
+    evidence.experiment_variance.resize(n);
+    int last = -1; // experiment; cells of one stand together
+    for (Eigen::Index i = 0; i < n; ++i) {
+        auto const& cell = cells[static_cast<std::size_t>(i)];
+        evidence.cells.push_back(cell.cell);
+        evidence.measured[i] = cell.target->value;
+        evidence.experiment_variance[i] = cell.sd * cell.sd;
+        if (std::exchange(last, cell.cell.experiment) == cell.cell.experiment)
+            continue;
+        if (auto scatter = scatter_of(points, cells, last, base.count(last)); scatter.degrees_of_freedom > 0)
+            evidence.packing.push_back(std::move(scatter));
+    }
+    evidence.form_floor = form_floor;
+    return evidence;
+}
+
 CampaignEvidence evidence_of(ensemble::Campaign const& campaign, Centre centre)
 {
     auto const& input = campaign.input;
@@ -106,12 +104,16 @@ CampaignEvidence evidence_of(ensemble::Campaign const& campaign, Centre centre)
     auto const points = simulated_points(campaign, ensemble::WavePurpose::signatures);
     auto const* base = find_point(points, all.model.point, "", 0);
     auto const means = base_means(base, input, all.cells);
-    all.evidence = make_evidence(all.cells, all.model, points, *base, means, options.form_floor);
+    auto const factors = all.model.slopes.cols();
+    all.evidence = measured_evidence(all.cells, points, *base, options.form_floor);
+    all.evidence.predicted = means;
+    all.evidence.nuisance = all.model.slopes;
+    all.evidence.nuisance_prior = prior_variance * MatrixXd::Identity(factors, factors);
     all.notes = notes_on(all.cells);
-    if (all.cells.size() < static_cast<std::size_t>(all.model.slopes.cols()))
+    if (all.cells.size() < static_cast<std::size_t>(factors))
         all.notes.push_back(fmt::format("{} measured values are fewer than the {} calibrated factors, which "
                                         "absorb nearly everything",
-                                        all.cells.size(), all.model.slopes.cols()));
+                                        all.cells.size(), factors));
     if (centre == Centre::middle) // nothing is measured yet: the model's own responses stand for it
         all.evidence.measured = means;
     Eigen::VectorXd const floor = make_floor(all.evidence).deviations();

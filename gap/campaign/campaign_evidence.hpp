@@ -26,8 +26,9 @@ struct CampaignEvidence
 //! target
 CampaignEvidence evidence_of(ensemble::Campaign const& campaign, Centre centre);
 
-//! How a point's runs scatter, and how many degrees of freedom tell, of the cells of an experiment.
-PackingScatter scatter_of(std::vector<SimulatedPoint> const& points, std::vector<CampaignCell> const& cells,
-                          int experiment, int packings);
+//! What was measured in these cells, and how runs of the points scatter there; neither predictions nor slopes
+//! yet. \param base whose runs a prediction is the mean of
+Evidence measured_evidence(std::vector<CampaignCell> const& cells, std::vector<SimulatedPoint> const& points,
+                           SimulatedPoint const& base, double form_floor);
 
 } // namespace demens::gap

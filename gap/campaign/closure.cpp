@@ -12,7 +12,7 @@
 namespace demens::gap {
 namespace {
 
-using Eigen::MatrixXd, Eigen::VectorXd;
+using Eigen::VectorXd;
 
 constexpr int random_decoys = 19;
 constexpr std::uint64_t decoy_seed = 190119;
@@ -47,6 +47,59 @@ std::vector<double> made_up_closures(Diagnosis const& diagnosis, Evidence const&
     return closures;
 }
 
+//! Against made-up signatures and the other effects.
+void try_decoys(CampaignClosure& all, std::size_t place, std::vector<double> decoys,
+                Diagnosis const& diagnosis)
+{
+    auto& effect = all.effects[place];
+    std::vector<std::string> names(decoys.size(), "a made-up signature");
+    for (auto const& other : all.effects)
+        if (other.effect != effect.effect) {
+            decoys.push_back(other.closure.closure);
+            names.push_back(diagnosis.effects()[static_cast<std::size_t>(other.effect)].name);
+        }
+    effect.decoys = static_cast<int>(decoys.size());
+    effect.decoy_p = decoy_p_value(effect.closure.closure, decoys);
+    for (std::size_t d = 0; d < decoys.size(); ++d)
+        if (std::isfinite(decoys[d]) && !(decoys[d] <= effect.best_decoy)) {
+            effect.best_decoy = decoys[d];
+            effect.decoy_name = names[d];
+        }
+}
+
+//! Closures of all effects that were simulated, then their decoys. \throws InputError where the base model
+//! has no runs
+void fill(CampaignClosure& all, ensemble::Campaign const& campaign, Diagnosis const& diagnosis)
+{
+    UnfittedRuns const runs(campaign, diagnosis, all.cells, ensemble::WavePurpose::closure);
+    auto const& fitted = diagnosis.evidence();
+    auto const& evidence = runs.evidence();
+    auto const here = held_out(evidence);
+    auto const* base = runs.base(diagnosis.refitted().factors);
+    runs.means(base, "the base model, calibrated again"); // that it has some
+    HeldOutPrediction const before{runs.packings(*base),
+                                   estimation_covariance(fitted, diagnosis.projection(), evidence)};
+    std::vector<VectorXd> signatures;
+    for (int const k : diagnosis.ranked_effects()) {
+        auto const& effect = diagnosis.effects()[static_cast<std::size_t>(k)];
+        auto const* point = runs.with(effect.name);
+        if (!point)
+            continue;
+        signatures.push_back(runs.signature(*point, diagnosis.refitted_with(k).factors));
+        auto const on_held_out = with_first_order(effect, signatures.back());
+        HeldOutPrediction const after{
+            runs.packings(*point),
+            estimation_covariance(fitted, diagnosis.projection(), evidence, {effect}, {on_held_out})};
+        all.effects.push_back(
+            {k, point->amplitude, quantify(here, before, after), not_known, 0, not_known, {}});
+    }
+    for (std::size_t e = 0; e < all.effects.size(); ++e)
+        if (!all.effects[e].closure.at_floor) {
+            auto const& effect = diagnosis.effects()[static_cast<std::size_t>(all.effects[e].effect)];
+            try_decoys(all, e, made_up_closures(diagnosis, evidence, effect, signatures[e]), diagnosis);
+        }
+}
+
 } // namespace
 
 std::vector<double> CampaignClosure::decoy_p(std::size_t count) const
@@ -64,54 +117,7 @@ std::optional<CampaignClosure> closure_of(ensemble::Campaign const& campaign, Di
         return std::nullopt;
     CampaignClosure all{cells_of(campaign.input, ensemble::ExperimentRole::hold_out), {}, {}};
     try {
-        UnfittedRuns const runs(campaign, diagnosis, all.cells, ensemble::WavePurpose::closure);
-        auto const& fitted = diagnosis.evidence();
-        auto const& evidence = runs.evidence();
-        auto const here = held_out(evidence);
-        auto const refitted = diagnosis.refitted();
-        auto const* base = runs.base(refitted.factors);
-        runs.means(base, "the base model, calibrated again");
-        HeldOutPrediction const before{runs.packings(*base),
-                                       estimation_covariance(fitted, diagnosis.projection(), evidence)};
-        std::vector<VectorXd> signatures;
-        for (int const k : diagnosis.ranked_effects()) {
-            auto const& effect = diagnosis.effects()[static_cast<std::size_t>(k)];
-            auto const* point = runs.with(effect.name);
-            if (!point)
-                continue;
-            EffectClosure closure{k, point->amplitude, {}, not_known, 0, not_known, {}};
-            try {
-                signatures.push_back(runs.signature(*point, diagnosis.refitted_with(k).factors));
-            } catch (InputError const& error) {
-                continue;
-            }
-            auto const on_held_out = with_first_order(effect, signatures.back());
-            closure.closure =
-                quantify(here, before,
-                         {runs.packings(*point), estimation_covariance(fitted, diagnosis.projection(),
-                                                                       evidence, {effect}, {on_held_out})});
-            all.effects.push_back(std::move(closure));
-        }
-        for (std::size_t k = 0; k < all.effects.size(); ++k) {
-            auto& effect = all.effects[k];
-            if (effect.closure.at_floor)
-                continue;
-            auto const& signature = diagnosis.effects()[static_cast<std::size_t>(effect.effect)];
-            auto decoys = made_up_closures(diagnosis, evidence, signature, signatures[k]);
-            std::vector<std::string> names(decoys.size(), "a made-up signature");
-            for (auto const& other : all.effects)
-                if (other.effect != effect.effect) {
-                    decoys.push_back(other.closure.closure);
-                    names.push_back(diagnosis.effects()[static_cast<std::size_t>(other.effect)].name);
-                }
-            effect.decoys = static_cast<int>(decoys.size());
-            effect.decoy_p = decoy_p_value(effect.closure.closure, decoys);
-            for (std::size_t d = 0; d < decoys.size(); ++d)
-                if (std::isfinite(decoys[d]) && !(decoys[d] <= effect.best_decoy)) {
-                    effect.best_decoy = decoys[d];
-                    effect.decoy_name = names[d];
-                }
-        }
+        fill(all, campaign, diagnosis);
     } catch (InputError const& error) {
         all.failure = error.what();
     }

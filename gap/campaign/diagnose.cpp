@@ -57,7 +57,7 @@ WaveEnd plan_ahead(Session& session, MPI_Comm communicator)
         if (looks == 0)
             return screening_wave(campaign, Centre::middle);
         if (looks == 1 && has_candidates(campaign))
-            return candidate_wave(campaign, Centre::middle);
+            return candidate_wave(campaign, Diagnosis(campaign, Centre::middle));
         return std::nullopt;
     });
 }

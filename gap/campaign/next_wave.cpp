@@ -81,20 +81,32 @@ int base_points(ensemble::GapOptions const& options)
     return (options.packings + options.screening_packings - 1) / options.screening_packings;
 }
 
+//! The most probable effects, at most so many, in a plan: places among those of the diagnosis.
+struct Probable
+{
+    Probable(Diagnosis const& diagnosis, std::size_t most) : places(diagnosis.ranked_effects())
+    {
+        places.resize(std::min(places.size(), most));
+        for (int const k : places)
+            effects.push_back(diagnosis.campaign().candidates[static_cast<std::size_t>(k)].effect);
+    }
+    int count() const { return static_cast<int>(places.size()); }
+
+    std::vector<int> places;
+    std::vector<ensemble::Effect> effects;
+};
+
 WavePlan full_wave(Campaign const& campaign, Diagnosis const& diagnosis)
 {
     auto const options = options_of(campaign.input);
     auto const& all = diagnosis.campaign();
-    auto places = diagnosis.ranked_effects();
-    places.resize(std::min(places.size(), static_cast<std::size_t>(options.effects_in_full)));
-    std::vector<ensemble::Effect> effects;
-    for (int const k : places)
-        effects.push_back(all.candidates[static_cast<std::size_t>(k)].effect);
-    PlanWriter writer(WavePurpose::signatures, effects,
+    Probable const probable(diagnosis, static_cast<std::size_t>(options.effects_in_full));
+    PlanWriter writer(WavePurpose::signatures, probable.effects,
                       experiments_of(campaign.input, ExperimentRole::calibrate), options.screening_packings);
-    for (int k = 0; k < static_cast<int>(effects.size()); ++k) {
-        auto const& effect = effects[static_cast<std::size_t>(k)];
-        double const fitted = diagnosis.refitted_with(places[static_cast<std::size_t>(k)]).amplitudes[0];
+    for (int k = 0; k < probable.count(); ++k) {
+        auto const& effect = probable.effects[static_cast<std::size_t>(k)];
+        double const fitted =
+            diagnosis.refitted_with(probable.places[static_cast<std::size_t>(k)]).amplitudes[0];
         for (double const amplitude : full_amplitudes(effect, fitted))
             writer.add(1, all.model.point, k, amplitude);
         for (auto const& change : interaction_changes(all.model))
@@ -107,20 +119,16 @@ WavePlan closure_wave(Campaign const& campaign, Diagnosis const& diagnosis)
 {
     auto const options = options_of(campaign.input);
     auto const& all = diagnosis.campaign();
-    auto places = diagnosis.ranked_effects();
-    places.resize(std::min(places.size(), static_cast<std::size_t>(options.effects_in_full)));
-    std::vector<ensemble::Effect> effects;
-    for (int const k : places)
-        effects.push_back(all.candidates[static_cast<std::size_t>(k)].effect);
-    PlanWriter writer(WavePurpose::closure, effects, experiments_of(campaign.input, ExperimentRole::hold_out),
-                      options.screening_packings);
+    Probable const probable(diagnosis, static_cast<std::size_t>(options.effects_in_full));
+    PlanWriter writer(WavePurpose::closure, probable.effects,
+                      experiments_of(campaign.input, ExperimentRole::hold_out), options.screening_packings);
     int const in_full = base_points(options);
     writer.add(in_full, all.model.point);
     for (auto const& change : interaction_changes(all.model)) // how responses change with the factors there
         writer.add(1, all.model.moved(change));
     writer.add(in_full, all.model.moved(diagnosis.refitted().factors));
-    for (int k = 0; k < static_cast<int>(effects.size()); ++k) {
-        auto const refit = diagnosis.refitted_with(places[static_cast<std::size_t>(k)]);
+    for (int k = 0; k < probable.count(); ++k) {
+        auto const refit = diagnosis.refitted_with(probable.places[static_cast<std::size_t>(k)]);
         if (refit.amplitudes[0] != 0)
             writer.add(in_full, all.model.moved(refit.factors), k, refit.amplitudes[0]);
     }
@@ -130,13 +138,16 @@ WavePlan closure_wave(Campaign const& campaign, Diagnosis const& diagnosis)
 //! Effects that are looked at on candidate experiments, the most probable ones.
 constexpr std::size_t most_on_candidates = 8;
 
-int runs_of(Campaign const& campaign)
+//! The wave, or none where it would take the diagnosis beyond its runs.
+std::optional<WavePlan> within_budget(Campaign const& campaign, WavePlan plan)
 {
-    int runs = 0;
+    auto runs = plan.points.size() * plan.experiments.size() * static_cast<std::size_t>(plan.replicates);
     for (auto const& wave : campaign.waves)
         if (!calibrates(wave.purpose))
-            runs += static_cast<int>(wave.runs.size());
-    return runs;
+            runs += wave.runs.size();
+    if (runs > static_cast<std::size_t>(options_of(campaign.input).runs))
+        return std::nullopt;
+    return plan;
 }
 
 } // namespace
@@ -159,15 +170,28 @@ Price price_of(CampaignInput const& input)
                 options.screening_packings * considered};
 }
 
+std::string price_text(CampaignInput const& input)
+{
+    auto const price = price_of(input);
+    return fmt::format(
+        "diagnosis: {} effects; at most {} runs: {} for first looks, {} for {} effects in full, {} on "
+        "what is held out, {} on experiments that might be made",
+        candidates_of(input).size(), price.total(), price.screening, price.full,
+        options_of(input).effects_in_full, price.held_out, price.considered);
+}
+
 std::vector<std::string> announcement(CampaignInput const& input)
 {
-    std::vector<std::string> lines;
     auto const price = price_of(input);
-    lines.push_back(
-        fmt::format("diagnosis: {} effects; at most {} runs: {} for first looks, {} for {} effects in full, "
-                    "{} on what is held out, {} on experiments that might be made",
-                    candidates_of(input).size(), price.total(), price.screening, price.full,
-                    options_of(input).effects_in_full, price.held_out, price.considered));
+    int const most = options_of(input).runs;
+    if (price.screening > most)
+        throw InputError(
+            fmt::format("gap.runs = {}: the first looks alone need {} runs; raise it, or name fewer "
+                        "effects in gap.effects",
+                        most, price.screening));
+    std::vector<std::string> lines = {price_text(input)};
+    if (price.total() > most)
+        lines.push_back(fmt::format("gap.runs = {} may end the diagnosis before its last waves", most));
     if (price.held_out == 0)
         lines.push_back(
             "no experiment is held out: nothing will be said about how far an effect closes the gap; name "
@@ -197,23 +221,19 @@ WavePlan screening_wave(Campaign const& campaign, Centre centre)
     return writer.plan();
 }
 
-WavePlan candidate_wave(Campaign const& campaign, Centre centre)
+WavePlan candidate_wave(Campaign const& campaign, Diagnosis const& diagnosis)
 {
     auto const options = options_of(campaign.input);
-    Diagnosis const diagnosis(campaign, centre);
     auto const& all = diagnosis.campaign();
-    auto places = diagnosis.ranked_effects();
-    places.resize(std::min(places.size(), most_on_candidates));
-    std::vector<ensemble::Effect> effects;
-    for (int const k : places)
-        effects.push_back(all.candidates[static_cast<std::size_t>(k)].effect);
-    PlanWriter writer(WavePurpose::signatures, effects,
+    Probable const probable(diagnosis, most_on_candidates);
+    PlanWriter writer(WavePurpose::signatures, probable.effects,
                       experiments_of(campaign.input, ExperimentRole::consider), options.screening_packings);
     writer.add(base_points(options), all.model.point);
     for (auto const& change : interaction_changes(all.model))
         writer.add(1, all.model.moved(change));
-    for (int k = 0; k < static_cast<int>(effects.size()); ++k)
-        writer.add(1, all.model.point, k, screening_amplitudes(effects[static_cast<std::size_t>(k)]).front());
+    for (int k = 0; k < probable.count(); ++k)
+        writer.add(1, all.model.point, k,
+                   screening_amplitudes(probable.effects[static_cast<std::size_t>(k)]).front());
     return writer.plan();
 }
 
@@ -221,7 +241,6 @@ WavePlan candidate_wave(Campaign const& campaign, Centre centre)
 //! is held out; then the experiments that might be made.
 std::optional<WavePlan> next_wave(Campaign const& campaign)
 {
-    auto const options = options_of(campaign.input);
     int const looks = waves_of(campaign, WavePurpose::signatures, ExperimentRole::calibrate);
     bool const is_tested = waves_of(campaign, WavePurpose::closure, ExperimentRole::hold_out) > 0;
     bool const is_considered = waves_of(campaign, WavePurpose::signatures, ExperimentRole::consider) > 0 ||
@@ -229,16 +248,16 @@ std::optional<WavePlan> next_wave(Campaign const& campaign)
     if (looks == 0)
         return screening_wave(campaign, Centre::estimate);
     bool const is_testable = !is_tested && !experiments_of(campaign.input, ExperimentRole::hold_out).empty();
-    if ((is_considered && is_tested) || runs_of(campaign) >= options.runs)
+    if (is_considered && is_tested)
         return std::nullopt;
     Diagnosis const diagnosis(campaign);
     if (looks == 1 && diagnosis.attribution().verdict != Verdict::within_floor &&
         !diagnosis.ranked_effects().empty())
-        return full_wave(campaign, diagnosis);
+        return within_budget(campaign, full_wave(campaign, diagnosis));
     if (is_testable)
-        return closure_wave(campaign, diagnosis);
+        return within_budget(campaign, closure_wave(campaign, diagnosis));
     if (!is_considered)
-        return candidate_wave(campaign, Centre::estimate);
+        return within_budget(campaign, candidate_wave(campaign, diagnosis));
     return std::nullopt;
 }
 

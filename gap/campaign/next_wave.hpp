@@ -20,6 +20,9 @@ struct Price
 //! At most, before anything is known.
 Price price_of(ensemble::CampaignInput const& input);
 
+//! The same in words.
+std::string price_text(ensemble::CampaignInput const& input);
+
 //! What a user should know of a campaign with `[gap]` before it runs: its price, what is missing. \throws
 //! InputError for effects that cannot be looked at
 std::vector<std::string> announcement(ensemble::CampaignInput const& input);
@@ -29,7 +32,7 @@ std::vector<std::string> announcement(ensemble::CampaignInput const& input);
 std::optional<ensemble::WavePlan> next_wave(ensemble::Campaign const& campaign);
 
 //! Base model and the most probable effects on the experiments that might be made.
-ensemble::WavePlan candidate_wave(ensemble::Campaign const& campaign, Centre centre);
+ensemble::WavePlan candidate_wave(ensemble::Campaign const& campaign, Diagnosis const& diagnosis);
 //! The wave of first looks, about the middle of the factors: for a plan before anything is measured.
 ensemble::WavePlan screening_wave(ensemble::Campaign const& campaign, Centre centre);
 

@@ -135,13 +135,7 @@ std::string plan_text(ensemble::Campaign const& campaign)
             to,
             "next {:<24} tells explanations apart by {:.2g}, {:.2g} particle steps a run, {} of the best\n",
             one.name, one.decides, one.cost, percent(one.value));
-    auto const price = price_of(campaign.input);
-    fmt::format_to(
-        to,
-        "a diagnosis takes at most {} runs: {} for first looks, {} for {} effects in full, {} on what is "
-        "held out\n",
-        price.total(), price.screening, price.full,
-        campaign.input.gap.value_or(ensemble::GapOptions{}).effects_in_full, price.held_out);
+    fmt::format_to(to, "{}\n", price_text(campaign.input));
     for (auto const& note : found.campaign().notes)
         fmt::format_to(to, "  {}\n", note);
     return text;

@@ -15,24 +15,13 @@ UnfittedRuns::UnfittedRuns(ensemble::Campaign const& campaign, Diagnosis const& 
                            std::vector<CampaignCell> const& cells, ensemble::WavePurpose purpose)
     : found_(diagnosis), cells_(cells), points_(simulated_points(campaign, purpose))
 {
-    auto const options = campaign.input.gap.value_or(ensemble::GapOptions{});
-    auto const n = static_cast<Eigen::Index>(cells.size());
-    evidence_.measured.resize(n);
-    evidence_.experiment_variance.resize(n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        auto const& cell = cells[static_cast<std::size_t>(i)];
-        evidence_.cells.push_back(cell.cell);
-        evidence_.measured[i] = cell.target->value;
-        evidence_.experiment_variance[i] = cell.sd * cell.sd;
-    }
-    evidence_.form_floor = options.form_floor;
+    auto const* at_theta0 = base(VectorXd::Zero(diagnosis.evidence().factors()));
+    auto const predicted = means(at_theta0, "the calibrated model");
+    evidence_ = measured_evidence(cells, points_, *at_theta0,
+                                  campaign.input.gap.value_or(ensemble::GapOptions{}).form_floor);
+    evidence_.predicted = predicted;
     evidence_.nuisance_prior = diagnosis.evidence().nuisance_prior;
-    evidence_.predicted = means(base(VectorXd::Zero(diagnosis.evidence().factors())), "the calibrated model");
     evidence_.nuisance = slopes();
-    for (std::size_t e = 0; e < campaign.input.experiments.size(); ++e)
-        if (auto scatter = scatter_of(points_, cells, static_cast<int>(e), options.packings);
-            !scatter.cells.empty() && scatter.degrees_of_freedom > 0)
-            evidence_.packing.push_back(std::move(scatter));
 }
 
 SimulatedPoint const* UnfittedRuns::base(VectorXd const& change) const

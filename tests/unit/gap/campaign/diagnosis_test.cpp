@@ -131,6 +131,26 @@ TEST(CampaignDiagnosis, PlansNoMoreRunsThanItSaid)
         << "nothing is simulated in full where all is within the floor";
 }
 
+TEST(CampaignDiagnosis, TakesNoMoreRunsThanItMay)
+{
+    auto const with = [](int runs) {
+        auto const text = line_campaign(0.6);
+        return text.substr(0, text.find("packings = 4")) + "runs = " + std::to_string(runs) + "\n" +
+               text.substr(text.find("packings = 4"));
+    };
+    auto const campaign =
+        diagnosed(with(40)); // 12 for first looks, 24 in full; 20 on what is held out are too many
+    EXPECT_EQ(runs_of(campaign, WavePurpose::signatures), 36);
+    EXPECT_EQ(runs_of(campaign, WavePurpose::closure), 0);
+    EXPECT_THAT(gap_text(campaign), HasSubstr("How far: not known"));
+    try {
+        announcement(ensemble::CampaignInput::from_text(with(11), "test", test::line_rigs()));
+        FAIL() << "not even the first looks are possible";
+    } catch (InputError const& error) {
+        EXPECT_THAT(error.what(), HasSubstr("gap.runs = 11: the first looks alone need 12 runs"));
+    }
+}
+
 TEST(CampaignDiagnosis, RanksExperimentsThatMightBeMade)
 {
     auto const campaign = diagnosed(line_campaign(0.6));
