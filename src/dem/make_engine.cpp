@@ -28,12 +28,6 @@ bool is_present(EngineKind kind)
     return kind != EngineKind::cuda || cuda::has_cuda_device();
 }
 
-bool knows(EngineKind kind, WallShape const& shape)
-{
-    return kind == EngineKind::cpu ||
-           std::visit([]<class Shape>(Shape const&) { return cuda::is_known_shape<Shape>; }, shape);
-}
-
 std::unique_ptr<Engine> make_engine(contact::Model const& model, SimulationOptions const& options)
 {
     switch (options.engine) {

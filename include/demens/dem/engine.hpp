@@ -67,8 +67,6 @@ class Engine
 
 //! Whether this process has what engines of this kind run on.
 bool is_present(EngineKind kind);
-//! Whether engines of this kind know walls of this shape.
-bool knows(EngineKind kind, WallShape const& shape);
 //! An engine of the kind that the options ask for, with nothing in it. \throws InputError
 std::unique_ptr<Engine> make_engine(contact::Model const& model, SimulationOptions const& options);
 //! One that goes on from a record. \throws InputError where the record does not fit.

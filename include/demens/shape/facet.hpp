@@ -51,7 +51,7 @@ struct Facet
     }
 };
 
-inline Facet::Nearest Facet::nearest(Vector3 const& p) const
+DEMENS_FUNCTION inline Facet::Nearest Facet::nearest(Vector3 const& p) const
 {
     constexpr Feature first = 1, second = 2, third = 4;
     Vector3 const relative = p - corner;

@@ -30,9 +30,15 @@ bool may_move(WallSet const& walls)
            });
 }
 
+bool has_meshes(WallSet const& walls)
+{
+    return std::any_of(walls.all().begin(), walls.all().end(),
+                       [](Wall const& wall) { return std::holds_alternative<Mesh>(wall.shape); });
+}
+
 } // namespace
 
-FlatWall flattened(Wall const& wall)
+FlatWall flattened(Wall const& wall, MeshPlace const& mesh)
 {
     FlatWall flat{};
     flat.kind = FlatWall::Kind::absent;
@@ -43,13 +49,12 @@ FlatWall flattened(Wall const& wall)
     std::visit(
         [&]<class Shape>(Shape const& shape) {
             if constexpr (std::is_same_v<Shape, Rectangle>)
-                flat.kind = FlatWall::Kind::rectangle, flat.rectangle = shape;
-            else if constexpr (is_known_shape<Shape>)
+                flat.kind = FlatWall::Kind::rectangle, flat.shape.rectangle = shape;
+            else if constexpr (RoundShape<Shape>)
                 flat.kind = FlatWall::Kind::round,
-                flat.round = {shape.centre, shape.axis, meridian(shape), side_of(shape)};
+                flat.shape.round = {shape.centre, shape.axis, meridian(shape), side_of(shape)};
             else
-                throw InputError("the engine \"cuda\" does not know a wall's shape, e.g. a mesh; use the "
-                                 "engine \"cpu\"");
+                flat.kind = FlatWall::Kind::mesh, flat.shape.mesh = {shape.placement, mesh};
         },
         wall.shape);
     return flat;
@@ -81,6 +86,7 @@ void Batch::begin(std::uint32_t slot, std::shared_ptr<Params const> params)
 void Batch::end(std::uint32_t slot)
 {
     replicas_[slot] = HostReplica{};
+    meshes_are_old_ = true;
 }
 
 void Batch::change_params(std::uint32_t slot, std::shared_ptr<Params const> params)
@@ -107,6 +113,7 @@ void Batch::add(std::uint32_t slot, Place const& place, Motion const& motion, Ma
 WallSet& Batch::change_walls(std::uint32_t slot)
 {
     replicas_[slot].stale = true;
+    meshes_are_old_ = true;
     return replicas_[slot].walls;
 }
 
@@ -124,6 +131,8 @@ Room Batch::room_for_all() const
             room.particles = whole_blocks(particles);
         for (auto const& layout : replica.params->layouts)
             room.history = std::max(room.history, static_cast<std::uint32_t>(layout.size));
+        room.walls = std::max(room.walls, replica.device.mesh_slots);
+        room.has_outer_loads = room.has_outer_loads || replica.device.has_outer_loads;
         auto const number = static_cast<std::uint32_t>(replica.walls.size());
         room.wall_table =
             std::max(room.wall_table, number * (may_move(replica.walls) ? rows_of_block + 1 : 1));
@@ -138,11 +147,39 @@ Room Batch::room_for_all() const
                 throw InputError(fmt::format("a particle is near {} walls at once; the engine \"cuda\" has "
                                              "room for {}: use the engine \"cpu\"",
                                              replica.device.wall_room_wanted, most_near_walls));
-            room.walls = std::max(room.walls, std::min(most_near_walls, replica.device.wall_room_wanted));
+            room.walls = std::max(room.walls, replica.device.wall_room_wanted + replica.device.mesh_slots);
         }
     }
+    room.facets = std::max(room.facets, meshes_.facets());
+    room.nodes = std::max(room.nodes, meshes_.nodes());
     room.cells = whole_blocks(2 * room.particles + 1024);
     return room;
+}
+
+void Batch::find_meshes()
+{
+    if (!std::exchange(meshes_are_old_, false))
+        return;
+    meshes_.begin();
+    for (HostReplica& replica : replicas_) {
+        meshes_.add(replica.walls.all());
+        replica.device.has_outer_loads = has_meshes(replica.walls);
+        if (replica.device.has_outer_loads)
+            replica.device.mesh_slots = std::max(replica.device.mesh_slots, few_mesh_contacts);
+    }
+    tables_are_old_ = tables_are_old_ || meshes_.has_changed();
+}
+
+//! A replica that ran out of room for contacts with meshes gets more; that depends on nobody else.
+void Batch::grow_mesh_slots(Replica& r)
+{
+    if (r.mesh_slots_wanted <= r.mesh_slots)
+        return;
+    if (r.mesh_slots >= most_mesh_contacts)
+        throw InputError(fmt::format("a particle touches meshes in more than {} places at once, which is all "
+                                     "that the engine \"cuda\" has room for: use the engine \"cpu\"",
+                                     most_mesh_contacts));
+    r.mesh_slots *= 2;
 }
 
 void Batch::make_room(Room const& wanted)
@@ -190,6 +227,12 @@ void Batch::write_tables()
     device_->write(arrays_->layouts.data(), layouts.data(), layouts.size() * sizeof layouts[0]);
     device_->write(arrays_->ranges.data(), ranges.data(), ranges.size() * sizeof ranges[0]);
     device_->write(arrays_->interaction.data(), interaction.data(), interaction.size() * 4);
+    auto const write = [&](auto const& array, auto const& rows) {
+        device_->write(array.data(), rows.data(), rows.size() * sizeof rows[0]);
+    };
+    write(arrays_->facets, meshes_.all_facets());
+    write(arrays_->nodes, meshes_.all_nodes());
+    write(arrays_->orders, meshes_.all_orders());
 }
 
 void Batch::write_waiting(std::uint32_t slot)
@@ -225,7 +268,8 @@ void Batch::prepare_walls(std::uint32_t slot, std::uint32_t steps)
     double* const paths = wall_paths_.data() + std::size_t{slot} * (rows_of_block + 1);
     FlatWall* const rows = wall_rows_.data() + std::size_t{slot} * view_.room.wall_table;
     auto const write_row = [&](std::size_t row) {
-        std::transform(walls.all().begin(), walls.all().end(), rows + row * number, flattened);
+        std::transform(walls.all().begin(), walls.all().end(), rows + row * number,
+                       [&](Wall const& wall) { return flattened(wall, meshes_.place_of(wall)); });
         paths[row] = replica.wall_path;
     };
     replica.device.walls = static_cast<std::uint32_t>(number);
@@ -278,6 +322,7 @@ LawKernel Batch::law_kernel() const
 
 void Batch::run_block(std::span<std::uint32_t const> steps)
 {
+    find_meshes();
     make_room(room_for_all());
     write_tables();
     wall_rows_.resize(std::size_t{view_.room.slots} * view_.room.wall_table);
@@ -337,6 +382,8 @@ void Batch::run_block(std::span<std::uint32_t const> steps)
         // Those that ran out of room go on where they stopped, when there is more.
         launches = 0;
         for (std::uint32_t slot = 0; slot < slots(); ++slot) {
+            if (records[slot].status == Status::full)
+                grow_mesh_slots(records[slot]);
             replicas_[slot].device = records[slot];
             if (records[slot].status == Status::full)
                 launches = std::max(launches, records[slot].steps - records[slot].step + 1);

@@ -2,6 +2,7 @@
 
 #include "demens/dem/engine.hpp"
 #include "src/dem/cuda/device.hpp"
+#include "src/dem/cuda/mesh_table.hpp"
 #include "src/dem/params.hpp"
 #include "src/dem/wall_set.hpp"
 
@@ -29,7 +30,7 @@ class Batch
     // Of a slot that is not empty.
     void add(std::uint32_t slot, Place const& place, Motion const& motion, MaterialId material);
     WallSet const& walls(std::uint32_t slot) const { return replicas_[slot].walls; }
-    //! The walls, to be changed: lists are made anew. \throws InputError when advanced with meshes.
+    //! The walls, to be changed: lists are made anew.
     WallSet& change_walls(std::uint32_t slot);
     void change_params(std::uint32_t slot, std::shared_ptr<Params const> params);
 
@@ -71,6 +72,9 @@ class Batch
     };
     struct Arrays;
 
+    //! The meshes of the walls as they are now.
+    void find_meshes();
+    static void grow_mesh_slots(Replica& r);
     void make_room(Room const& wanted);
     Room room_for_all() const;
     void write_tables();
@@ -86,7 +90,8 @@ class Batch
     std::vector<HostReplica> replicas_;
     std::unique_ptr<Arrays> arrays_;
     View view_{};
-    bool tables_are_old_ = true;
+    bool tables_are_old_ = true, meshes_are_old_ = true;
+    MeshTable meshes_;
     std::vector<FlatWall> wall_rows_;
     std::vector<double> wall_paths_;
 };

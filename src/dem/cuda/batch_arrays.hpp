@@ -48,10 +48,10 @@ struct Batch::Arrays
     DeviceArray<Motion> motion;
     DeviceArray<Load> load;
     DeviceArray<std::uint32_t> material, id, neighbours, neighbour, touching, near_walls, near_wall,
-        touching_walls, cell_of, place_in_cell, bucket, new_index, old_index, cell_start, sums, sums_of_sums,
-        interaction;
+        touching_walls, near_meshes, cell_of, place_in_cell, bucket, new_index, old_index, cell_start, sums,
+        sums_of_sums, interaction;
     DeviceArray<double> history, wall_history, wall_paths;
-    DeviceArray<std::byte> laws, layouts, ranges, walls;
+    DeviceArray<std::byte> laws, layouts, ranges, walls, facets, nodes, orders;
 
     Arrays(Device& device, Room const& room, View& view)
     {
@@ -80,6 +80,7 @@ struct Batch::Arrays
         view.near_walls = make(near_walls, 2 * all);
         view.near_wall = make(near_wall, 2 * all * room.walls);
         view.touching_walls = make(touching_walls, 2 * all);
+        view.near_meshes = make(near_meshes, all);
         view.wall_history = make(wall_history, 2 * all * room.walls * (room.history + wall_numbers));
         view.cell_of = make(cell_of, all);
         view.place_in_cell = make(place_in_cell, all);
@@ -95,6 +96,9 @@ struct Batch::Arrays
         make_table(layouts, view.layouts, slots * room.laws);
         make_table(ranges, view.ranges, slots * room.laws);
         make_table(walls, view.walls, slots * room.wall_table);
+        make_table(facets, view.facets, room.facets);
+        make_table(nodes, view.nodes, room.nodes);
+        make_table(orders, view.orders, room.facets);
     }
 };
 

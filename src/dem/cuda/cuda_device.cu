@@ -1,5 +1,6 @@
 #include "src/dem/cuda/device.hpp"
 #include "src/dem/cuda/move_kernel.hpp"
+#include "src/dem/cuda/outer_kernel.hpp"
 #include "src/dem/cuda/search_kernels.hpp"
 #include "src/dem/cuda/step_kernel.hpp"
 
@@ -64,11 +65,14 @@ __global__ void __launch_bounds__(block_size)
         *search = 1;
 }
 
-//! The step kernel for these laws.
+//! The step kernel for these laws, and the one before it where it is needed.
 void launch_step(View const& view, LawKernel laws, cudaStream_t stream)
 {
     with_evaluation(laws, [&]<class Evaluate>(Evaluate) {
         std::uint32_t const blocks = view.room.particles / block_size;
+        if (view.room.has_outer_loads)
+            over_slots<<<view.room.slots * blocks, block_size, 0, stream>>>(OuterKernel<Evaluate>{view},
+                                                                            blocks);
         step_kernel<<<view.room.slots * blocks, block_size, 0, stream>>>(StepKernel<Evaluate>{view}, blocks);
         require(cudaGetLastError());
     });

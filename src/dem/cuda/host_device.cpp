@@ -1,5 +1,6 @@
 #include "src/dem/cuda/device.hpp"
 #include "src/dem/cuda/move_kernel.hpp"
+#include "src/dem/cuda/outer_kernel.hpp"
 #include "src/dem/cuda/search_kernels.hpp"
 #include "src/dem/cuda/step_kernel.hpp"
 
@@ -52,6 +53,8 @@ class HostDevice final : public Device
             search(view, loops);
         with_evaluation(laws, [&]<class Evaluate>(Evaluate) {
             for (std::uint32_t k = 0; k < launches; ++k) {
+                if (view.room.has_outer_loads)
+                    loops.over(view.room.particles, OuterKernel<Evaluate>{view});
                 loops.over(view.room.particles, StepKernel<Evaluate>{view});
                 bool wanted = false;
                 loops.over_replicas([&](Where const& where) { wanted |= Tick{view}(where); });

@@ -14,6 +14,7 @@ struct MoveParticle
         std::uint64_t const i = from.first_of(where.slot) + where.local;
         std::uint64_t const j = to.first_of(where.slot) + where.local;
         to.load[j] = from.load[i];
+        to.near_meshes[j] = from.near_meshes[i];
         for (std::uint64_t set = 0; set < 2; ++set) {
             std::uint64_t const a = set * from.all + i, b = set * to.all + j;
             to.place[b] = from.place[a];
@@ -36,7 +37,7 @@ struct MoveParticle
             for (std::uint32_t n = 0; n < from.room.history; ++n)
                 to.history_of(set, j, k)[n] = from.history_of(set, i, k)[n];
         }
-        std::uint32_t const walls = from.near_walls[set * from.all + i];
+        std::uint32_t const walls = from.near_walls[set * from.all + i] + from.replica[where.slot].mesh_slots;
         for (std::uint32_t k = 0; k < walls && k < from.room.walls; ++k) {
             to.near_wall[to.at(set, to.room.walls, k, j)] =
                 from.near_wall[from.at(set, from.room.walls, k, i)];

@@ -40,7 +40,9 @@ struct Replica
     double overlap_limit; //!< over the smaller radius
     Vector3 lower, upper; //!< of the domain [m]
     Periods periods;
-    std::uint32_t wall_rows; //!< 1: walls move, and have a row for each step of a block
+    std::uint32_t wall_rows;       //!< 1: walls move, and have a row for each step of a block
+    std::uint32_t mesh_slots;      //!< most contacts of a particle with meshes; 0: there are none
+    std::uint32_t has_outer_loads; //!< of meshes: see OuterKernel
 
     // What goes on.
     Status status;
@@ -55,6 +57,7 @@ struct Replica
     // What kernels find; any thread may raise one.
     std::uint32_t wants_lists, broken, outside, leaping, overlapping;
     std::uint32_t room_wanted, wall_room_wanted; //!< longest list that had no room
+    std::uint32_t mesh_slots_wanted;             //!< more than there were for one particle
 
     // The grid of the last search.
     std::uint64_t low[3], high[3]; //!< of places, as ordered numbers

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/dem/cuda/grid_kernels.hpp"
+#include "src/dem/cuda/mesh_contacts.hpp"
 
 namespace demens::dem::cuda {
 
@@ -138,7 +139,7 @@ struct FindNeighbours
         double const near = here.radius + r.reach;
         std::uint32_t count = 0, touching = 0;
         for (std::uint32_t w = 0; w < r.walls; ++w) {
-            if (walls[w].kind == FlatWall::Kind::absent ||
+            if (!walls[w].has_one_place() ||
                 !(norm_squared(walls[w].offset({here.x, here.y, here.z}, here.radius)) < near * near))
                 continue;
             if (count < v.room.walls) {
@@ -149,7 +150,7 @@ struct FindNeighbours
         }
         v.near_walls[now * v.all + i] = count;
         v.touching_walls[now * v.all + i] = touching;
-        if (count > v.room.walls)
+        if (count + r.mesh_slots > v.room.walls)
             raise_atomically(&r.wall_room_wanted, count);
     }
 
@@ -172,6 +173,51 @@ struct FindNeighbours
     }
 };
 
+//! Which meshes are near a particle, and its contacts with them, which go on as they are: after the walls.
+struct FindMeshes
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica const& r = v.replica[where.slot];
+        if (!searches(r) || r.mesh_slots == 0 || where.local >= r.particles)
+            return;
+        std::uint64_t const i = v.first_of(where.slot) + where.local;
+        Place const here = v.place[(1 - r.current) * v.all + i];
+        FlatWall const* const walls = v.walls_of(where.slot);
+        std::uint32_t near = 0;
+        for (std::uint32_t w = 0; w < r.walls; ++w) {
+            if (walls[w].kind != FlatWall::Kind::mesh)
+                continue;
+            PlacedMesh const& mesh = walls[w].shape.mesh;
+            if (is_near(mesh_of(v, mesh), {mesh.placement.inverse({here.x, here.y, here.z}), here.radius,
+                                           here.radius + r.reach}))
+                near |= 1u << w % bits_of_word;
+        }
+        v.near_meshes[i] = near;
+        if (near != 0)
+            carry_over(r, v.first_of(where.slot) + v.old_index[i], i);
+    }
+
+  private:
+    DEMENS_FUNCTION void carry_over(Replica const& r, std::uint64_t old, std::uint64_t i) const
+    {
+        std::uint32_t const before = r.sorted, now = 1 - r.sorted;
+        std::uint32_t to = v.near_walls[now * v.all + i];
+        std::uint32_t const from = v.near_walls[before * v.all + old];
+        std::uint32_t const bits = v.touching_walls[before * v.all + old] >> from;
+        for (std::uint32_t left = bits; left != 0 && to < v.room.walls; left &= left - 1, ++to) {
+            std::uint32_t const k = from + lowest_bit(left);
+            v.near_wall[v.at(now, v.room.walls, to, i)] = v.near_wall[v.at(before, v.room.walls, k, old)];
+            double const* const history = v.wall_history_of(before, old, k);
+            for (std::uint32_t n = 0; n < v.room.history + wall_numbers; ++n)
+                v.wall_history_of(now, i, to)[n] = history[n];
+            v.touching_walls[now * v.all + i] |= 1u << to;
+        }
+    }
+};
+
 //! The new lists hold.
 struct FinishSearch
 {
@@ -184,7 +230,8 @@ struct FinishSearch
             return;
         for (int axis = 0; axis < 3; ++axis) // for the next one
             r.low[axis] = ~std::uint64_t{0}, r.high[axis] = 0;
-        if (r.room_wanted > v.room.neighbours || r.wall_room_wanted > v.room.walls) {
+        if (r.room_wanted > v.room.neighbours || r.wall_room_wanted + r.mesh_slots > v.room.walls ||
+            r.mesh_slots_wanted > r.mesh_slots) {
             r.status = Status::full;
             r.phase = Phase::rest;
             return;
@@ -213,6 +260,8 @@ void search(View const& v, Launcher&& launch)
     launch.over(v.room.particles, FillCells{v});
     launch.over(v.room.particles, SortParticles{v});
     launch.over(v.room.particles, FindNeighbours{v});
+    if (v.room.facets > 0)
+        launch.over(v.room.particles, FindMeshes{v});
     launch.over_replicas(FinishSearch{v});
 }
 

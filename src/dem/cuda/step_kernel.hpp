@@ -30,7 +30,7 @@ struct StepKernel
         if (phase == Phase::move) {
             load = v.load[i];
         } else {
-            load = {};
+            load = r.has_outer_loads ? v.load[i] : Load{};
             add_pairs(r, where, first, here, motion, load);
             if (v.near_walls[r.sorted * v.all + i] > 0)
                 add_walls<Evaluate>(v, r, where.slot, i, here, motion, load);
@@ -191,7 +191,8 @@ struct Tick
         r.current = 1 - r.current;
         ++r.step;
         r.phase = r.step < r.steps ? Phase::load_and_move : Phase::load;
-        if (r.stale || v.wall_path(where.slot) - r.walls_seen > r.wall_trigger)
+        if (r.stale || v.wall_path(where.slot) - r.walls_seen > r.wall_trigger ||
+            r.mesh_slots_wanted > r.mesh_slots)
             r.wants_lists = 1;
         return r.wants_lists != 0;
     }

@@ -3,6 +3,8 @@
 #include "demens/contact/evaluation/state_layout.hpp"
 #include "demens/contact/range.hpp"
 #include "demens/dem/particles.hpp"
+#include "demens/shape/facet.hpp"
+#include "demens/shape/triangle_tree.hpp"
 #include "src/dem/cuda/flat_wall.hpp"
 #include "src/dem/cuda/replica.hpp"
 
@@ -15,18 +17,21 @@ struct Room
     std::uint32_t particles = 0;           //!< of a slot, in whole blocks
     std::uint32_t cells = 0;               //!< of a slot, in whole blocks
     std::uint32_t neighbours = 0;          //!< of a particle, in whole words of bits
-    std::uint32_t walls = 0;               //!< near a particle, at most 32
+    std::uint32_t walls = 0;               //!< near a particle, and its contacts with meshes, at most 32
     std::uint32_t history = 0;             //!< doubles of a contact
     std::uint32_t wall_table = 0;          //!< walls of a slot, times rows
     std::uint32_t laws = 0, materials = 0; //!< of a slot
+    std::uint32_t facets = 0, nodes = 0;   //!< of all meshes
+    bool has_outer_loads = false;          //!< some replica has
 
     friend bool operator==(Room const&, Room const&) = default;
 };
 
 constexpr std::uint32_t block_size = 128; //!< threads; all of a block have particles of one replica
 constexpr std::uint32_t bits_of_word = 32;
-constexpr std::uint32_t most_near_walls = 16; //!< of one particle
-constexpr std::uint32_t rows_of_block = 64;   //!< most steps of a block while walls move
+constexpr std::uint32_t most_near_walls = 16;                           //!< of one particle, meshes apart
+constexpr std::uint32_t few_mesh_contacts = 4, most_mesh_contacts = 16; //!< of one particle
+constexpr std::uint32_t rows_of_block = 64; //!< most steps of a block while walls move
 
 //! A contact with a wall keeps beside its history where it was and what acts on the sphere.
 constexpr std::uint32_t wall_offset_at = 0, wall_force_at = 3, wall_torque_at = 6, wall_numbers = 9;
@@ -52,9 +57,11 @@ struct View
     std::uint32_t* touching;       //!< a bit each
     double* history;               //!< of each particle one after another
     std::uint32_t* near_walls;     //!< how many
-    std::uint32_t* near_wall;      //!< number k of particle i at k * all + i
+    std::uint32_t* near_wall;      //!< number k of particle i at k * all + i; the contacts with meshes behind
     std::uint32_t* touching_walls; //!< a bit each
     double* wall_history;          //!< of each particle one after another, `wall_numbers` behind each
+
+    std::uint32_t* near_meshes; //!< all: bit w % 32 where mesh w is near
 
     // Of a search
     std::uint32_t *cell_of, *place_in_cell, *bucket, *new_index, *old_index; // all
@@ -67,6 +74,11 @@ struct View
     std::uint32_t const* interaction; //!< law set of materials (a, b) at a * room.materials + b
     FlatWall const* walls;            //!< rows of walls
     double const* wall_paths;         //!< of the fastest wall, at each row [m]
+
+    // All meshes, one behind the other; numbers in one are its own
+    shape::Facet const* facets;
+    shape::TreeNode const* nodes;
+    std::uint32_t const* orders; //!< facets
 
     DEMENS_FUNCTION double* history_of(std::uint64_t set, std::uint64_t particle, std::uint32_t k) const
     {
@@ -103,6 +115,11 @@ struct View
     {
         Replica const& r = replica[slot];
         return walls + std::uint64_t{slot} * room.wall_table + std::uint64_t{r.wall_rows} * r.step * r.walls;
+    }
+    //! Law set of two materials, among those of the slot.
+    DEMENS_FUNCTION std::uint32_t law_of(std::uint32_t slot, std::uint32_t a, std::uint32_t b) const
+    {
+        return interaction[(std::uint64_t{slot} * room.materials + a) * room.materials + b];
     }
     DEMENS_FUNCTION std::uint32_t words() const { return room.neighbours / bits_of_word; }
 };

@@ -61,7 +61,44 @@ class FeltWalls
     Felt felt_[most_near_walls];
 };
 
-//! Adds the loads of a particle's contacts with walls.
+//! One place where a particle feels a wall.
+struct WallContact
+{
+    FlatWall const& wall;
+    std::uint64_t law; //!< number among those of all slots
+    Vector3 offset;    //!< from the wall to the centre [m]
+    double* history;   //!< with `wall_numbers` behind
+    bool is_new;
+};
+//! Adds its load, and notes what acts on the wall.
+template <class Evaluate>
+DEMENS_INLINE DEMENS_FUNCTION void add_wall_contact(View const& v, Replica& r, WallContact const& c,
+                                                    Place const& here, Motion const& motion, Load& load)
+{
+    contact::WallSurface const& surface = c.wall.surface;
+    contact::Meeting const meeting = contact::meeting(sphere(here, motion), surface, c.offset);
+    auto const outcome = Evaluate::template evaluate<contact::Partner::wall>(
+        meeting, v.laws[c.law], v.layouts[c.law], r.time_step, c.history, c.is_new);
+    if (overlap_excess(meeting, outcome.geometry.overlap, r.overlap_limit) > 0)
+        r.overlapping = 1;
+    auto const& f = outcome.loads.force;
+    auto const& t = outcome.loads.torque_i;
+    load.fx += f.x, load.fy += f.y, load.fz += f.z;
+    load.tx += t.x, load.ty += t.y, load.tz += t.z;
+    double* const kept = c.history + v.room.history;
+    kept[wall_offset_at] = c.offset.x, kept[wall_offset_at + 1] = c.offset.y;
+    kept[wall_offset_at + 2] = c.offset.z;
+    if (r.phase == Phase::load) {
+        Vector3 const force{f.x, f.y, f.z}, torque_i{t.x, t.y, t.z};
+        Vector3 const arm = Vector3{here.x, here.y, here.z} - surface.pivot;
+        Vector3 const torque = contact::torque_on_wall(arm, force, torque_i);
+        kept[wall_force_at] = -f.x, kept[wall_force_at + 1] = -f.y, kept[wall_force_at + 2] = -f.z;
+        kept[wall_torque_at] = torque.x, kept[wall_torque_at + 1] = torque.y;
+        kept[wall_torque_at + 2] = torque.z;
+    }
+}
+
+//! Adds the loads of a particle's contacts with walls that are no meshes.
 template <class Evaluate>
 DEMENS_FUNCTION void add_walls(View const& v, Replica& r, std::uint32_t slot, std::uint64_t i,
                                Place const& here, Motion const& motion, Load& load)
@@ -75,10 +112,7 @@ DEMENS_FUNCTION void add_walls(View const& v, Replica& r, std::uint32_t slot, st
     auto const wall_at = [&](std::uint32_t k) -> FlatWall const& {
         return walls[v.near_wall[v.at(sorted, v.room.walls, k, i)]];
     };
-    auto const law_at = [&](std::uint32_t k) {
-        return v.interaction[(std::uint64_t{slot} * v.room.materials + material) * v.room.materials +
-                             wall_at(k).material];
-    };
+    auto const law_at = [&](std::uint32_t k) { return v.law_of(slot, material, wall_at(k).material); };
     Vector3 const centre{here.x, here.y, here.z};
     FeltWalls felt;
     double gap = 0;
@@ -110,30 +144,12 @@ DEMENS_FUNCTION void add_walls(View const& v, Replica& r, std::uint32_t slot, st
         Vector3 const offset = felt[k].felt;
         if (!felt[k].counts || !(norm_squared(offset) < reach * reach))
             continue;
-        FlatWall const& wall = wall_at(k);
-        contact::Meeting const meeting = contact::meeting(sphere(here, motion), wall.surface, offset);
-        double* const history = v.wall_history_of(sorted, i, k);
-        auto const outcome = Evaluate::template evaluate<contact::Partner::wall>(
-            meeting, v.laws[tables + law], v.layouts[tables + law], r.time_step, history, !(old >> k & 1));
         now |= 1u << k;
-        if (overlap_excess(meeting, outcome.geometry.overlap, r.overlap_limit) > 0)
-            r.overlapping = 1;
-        auto const& f = outcome.loads.force;
-        auto const& t = outcome.loads.torque_i;
-        load.fx += f.x, load.fy += f.y, load.fz += f.z;
-        load.tx += t.x, load.ty += t.y, load.tz += t.z;
-        double* const kept = history + v.room.history;
-        kept[wall_offset_at] = offset.x, kept[wall_offset_at + 1] = offset.y;
-        kept[wall_offset_at + 2] = offset.z;
-        if (r.phase == Phase::load) {
-            Vector3 const force{f.x, f.y, f.z}, torque_i{t.x, t.y, t.z}, arm = centre - wall.surface.pivot;
-            Vector3 const torque = contact::torque_on_wall(arm, force, torque_i);
-            kept[wall_force_at] = -f.x, kept[wall_force_at + 1] = -f.y, kept[wall_force_at + 2] = -f.z;
-            kept[wall_torque_at] = torque.x, kept[wall_torque_at + 1] = torque.y;
-            kept[wall_torque_at + 2] = torque.z;
-        }
+        add_wall_contact<Evaluate>(
+            v, r, {wall_at(k), tables + law, offset, v.wall_history_of(sorted, i, k), !(old >> k & 1)}, here,
+            motion, load);
     }
-    bits = now;
+    bits = now | old >> count << count; // contacts with meshes are kept behind
 }
 
 } // namespace demens::dem::cuda

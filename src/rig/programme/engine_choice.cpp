@@ -3,8 +3,6 @@
 #include "demens/dem/engine.hpp"
 #include "demens/rig/programme/programme.hpp"
 
-#include <algorithm>
-
 namespace demens::rig {
 
 std::string needs_cpu(Apparatus const& apparatus, bool with_team)
@@ -16,10 +14,7 @@ std::string needs_cpu(Apparatus const& apparatus, bool with_team)
     if (apparatus.options.surroundings.is_any())
         return "drag or vibration acts on its particles (gas_viscosity_Pa_s, gas_density_kg_m3, "
                "vibration_m_s2)";
-    bool const knows_walls =
-        std::all_of(apparatus.walls.begin(), apparatus.walls.end(),
-                    [](auto const& wall) { return dem::knows(dem::EngineKind::cuda, wall.shape); });
-    return knows_walls ? "" : "one of its walls has a shape that devices do not know, e.g. a mesh";
+    return "";
 }
 
 dem::EngineKind chosen_engine(EngineChoice choice, Apparatus const& apparatus, bool with_team)
