@@ -7,18 +7,18 @@
 namespace demens::dem {
 namespace {
 
-//! A batch of one.
-std::unique_ptr<Engine> make_batch_engine(contact::Model const& model, SimulationOptions const& options)
+//! A batch of one, with what else its engine is made of.
+template <class... More>
+std::unique_ptr<Engine> make_batch_engine(contact::Model const& model, SimulationOptions const& options,
+                                          More const&... more)
 {
     if (!is_present(options.engine))
         throw InputError(
             "the engine \"cuda\" needs a CUDA device, and there is none that this process can use; "
             "use the engine \"cpu\", or \"auto\", which takes a device where there is one");
-    if (options.surroundings.is_any())
-        throw InputError("the engine \"cuda\" knows no drag and no vibration; use the engine \"cpu\"");
     auto device = options.engine == EngineKind::cuda ? cuda::make_cuda_device() : cuda::make_host_device();
     auto batch = std::make_shared<cuda::Batch>(std::move(device), 1);
-    return std::make_unique<cuda::BatchEngine>(std::move(batch), 0, model, options);
+    return std::make_unique<cuda::BatchEngine>(std::move(batch), 0, model, options, more...);
 }
 
 } // namespace
@@ -43,8 +43,14 @@ std::unique_ptr<Engine> make_engine(contact::Model const& model, SimulationOptio
 std::unique_ptr<Engine> make_engine(contact::Model const& model, SimulationOptions const& options,
                                     StateRecord const& record)
 {
-    if (options.engine != EngineKind::cpu)
-        throw InputError("a simulation goes on from its record on the engine \"cpu\" only");
+    bool const is_of_device = cuda::SlotState::is_in(record);
+    if (is_of_device != (options.engine != EngineKind::cpu))
+        throw InputError(is_of_device ? "the state record is of the engine \"cuda\", and this is \"cpu\": a "
+                                        "simulation goes on where it began"
+                                      : "the state record is of the engine \"cpu\", and this is \"cuda\": a "
+                                        "simulation goes on where it began");
+    if (is_of_device)
+        return make_batch_engine(model, options, record);
     return std::make_unique<CpuEngine>(model, options, record);
 }
 

@@ -1,22 +1,15 @@
-#include "demens/dem/surroundings.hpp"
-
-#include <cmath>
-#include <numbers>
+#include "src/dem/surrounding_forces.hpp"
 
 namespace demens::dem {
 
 double Surroundings::drag_per_speed(double diameter, double speed) const
 {
-    constexpr double pi = std::numbers::pi, newton_from = 1000;
-    double const stokes = 3 * pi * viscosity * diameter, inertia = density * diameter * speed;
-    if (inertia >= newton_from * viscosity)
-        return 0.44 * pi / 8 * inertia * diameter;
-    return stokes * (1 + 0.15 * std::pow(inertia / viscosity, 0.687));
+    return drag_per_speed_in(*this, diameter, speed);
 }
 
 Vector3 Surroundings::acceleration(double time) const
 {
-    return std::sin(2 * std::numbers::pi * frequency * time) * vibration;
+    return acceleration_in(*this, time);
 }
 
 } // namespace demens::dem

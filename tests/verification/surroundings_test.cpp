@@ -150,11 +150,4 @@ TEST(Surroundings, GoOnFromARecordWithTheSameBits)
     EXPECT_THROW(dem::Simulation::restore(model, still, record), InputError);
 }
 
-TEST(Surroundings, AreRefusedByEnginesOfDevices)
-{
-    dem::SimulationOptions const options{.surroundings = {.viscosity = 1e-5},
-                                         .engine = dem::EngineKind::cuda_on_host};
-    EXPECT_THROW(dem::Simulation(one_material(grain, {}), options), InputError);
-}
-
 } // namespace

@@ -20,7 +20,7 @@ struct SimulationOptions
 {
     double time_step = 1e-5;         //!< [s]
     Vector3 gravity = {0, 0, -9.81}; //!< [m/s^2]
-    Surroundings surroundings = {};  //!< engines of devices know none
+    Surroundings surroundings = {};  //!< what acts on particles beside contacts and gravity
     double skin = 1e-3;              //!< distance beyond contact that a neighbour list covers [m]
     double overlap_limit = 0.5;      //!< largest overlap over the smaller radius that counts as healthy
     Vector3 domain_lower = {-1e9, -1e9, -1e9}; //!< particles outside have escaped [m]

@@ -1,21 +1,9 @@
 #include "src/dem/cpu/surrounding_loads.hpp"
 
+#include "src/dem/surrounding_forces.hpp"
+
 namespace demens::dem {
 namespace {
-
-struct Forces
-{
-    Vector3 drag, shaking; //!< [N]
-};
-
-//! On a particle whose velocity is that of the middle of the step before: the drag is half a step behind,
-//! which changes it by a part of the time step over the time in which it brakes.
-Forces forces_on(Surroundings const& around, Place const& p, Motion const& m, Vector3 const& acceleration)
-{
-    Vector3 const velocity{m.vx, m.vy, m.vz};
-    double const resistance = around.resists() ? around.drag_per_speed(2 * p.radius, norm(velocity)) : 0.0;
-    return {-resistance * velocity, m.mass * acceleration};
-}
 
 Vector3 acceleration_at(Params const& params, std::int64_t step)
 {

@@ -80,13 +80,14 @@ void Batch::begin(std::uint32_t slot, std::shared_ptr<Params const> params)
         throw InputError("the engine \"cuda\" has a simulation on one device, not on several ranks");
     replica = HostReplica{};
     replica.device.status = Status::running;
+    outer_loads_are_old_ = true;
     change_params(slot, std::move(params));
 }
 
 void Batch::end(std::uint32_t slot)
 {
     replicas_[slot] = HostReplica{};
-    meshes_are_old_ = true;
+    outer_loads_are_old_ = true;
 }
 
 void Batch::change_params(std::uint32_t slot, std::shared_ptr<Params const> params)
@@ -113,7 +114,7 @@ void Batch::add(std::uint32_t slot, Place const& place, Motion const& motion, Ma
 WallSet& Batch::change_walls(std::uint32_t slot)
 {
     replicas_[slot].stale = true;
-    meshes_are_old_ = true;
+    outer_loads_are_old_ = true;
     return replicas_[slot].walls;
 }
 
@@ -142,7 +143,7 @@ Room Batch::room_for_all() const
         if (replica.device.status == Status::full) {
             std::uint32_t const wanted = replica.device.room_wanted;
             if (wanted > room.neighbours)
-                room.neighbours = (wanted + bits_of_word - 1) / bits_of_word * bits_of_word;
+                room.neighbours = whole_words(wanted);
             if (replica.device.wall_room_wanted > most_near_walls)
                 throw InputError(fmt::format("a particle is near {} walls at once; the engine \"cuda\" has "
                                              "room for {}: use the engine \"cpu\"",
@@ -156,16 +157,17 @@ Room Batch::room_for_all() const
     return room;
 }
 
-void Batch::find_meshes()
+void Batch::find_outer_loads()
 {
-    if (!std::exchange(meshes_are_old_, false))
+    if (!std::exchange(outer_loads_are_old_, false))
         return;
     meshes_.begin();
     for (HostReplica& replica : replicas_) {
         meshes_.add(replica.walls.all());
-        replica.device.has_outer_loads = has_meshes(replica.walls);
-        if (replica.device.has_outer_loads)
+        if (has_meshes(replica.walls))
             replica.device.mesh_slots = std::max(replica.device.mesh_slots, few_mesh_contacts);
+        replica.device.has_outer_loads = replica.device.mesh_slots > 0 ||
+                                         (replica.params && replica.params->options.surroundings.is_any());
     }
     tables_are_old_ = tables_are_old_ || meshes_.has_changed();
 }
@@ -188,8 +190,14 @@ void Batch::make_room(Room const& wanted)
         return;
     View view{};
     auto arrays = std::make_unique<Arrays>(*device_, wanted, view);
-    if (arrays_)
+    if (arrays_) {
+        // What the host has put into a slot since is not yet in the records there.
+        std::vector<Replica> records;
+        for (HostReplica const& replica : replicas_)
+            records.push_back(replica.device);
+        device_->write(view_.replica, records.data(), records.size() * sizeof(Replica));
         device_->move(view_, view);
+    }
     arrays_ = std::move(arrays);
     view_ = view;
     tables_are_old_ = true;
@@ -322,7 +330,7 @@ LawKernel Batch::law_kernel() const
 
 void Batch::run_block(std::span<std::uint32_t const> steps)
 {
-    find_meshes();
+    find_outer_loads();
     make_room(room_for_all());
     write_tables();
     wall_rows_.resize(std::size_t{view_.room.slots} * view_.room.wall_table);
@@ -356,6 +364,9 @@ void Batch::run_block(std::span<std::uint32_t const> steps)
         r.overlap_limit = options.overlap_limit;
         r.lower = options.domain_lower, r.upper = options.domain_upper;
         r.periods = options.periodic;
+        r.surroundings = options.surroundings;
+        r.has_surroundings = options.surroundings.is_any();
+        r.steps_before = replica.steps_done;
         r.step = 0, r.steps = steps[slot];
         r.first_kick_is_half = replica.steps_done == 0;
         r.stale = replica.stale;

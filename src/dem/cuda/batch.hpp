@@ -3,6 +3,7 @@
 #include "demens/dem/engine.hpp"
 #include "src/dem/cuda/device.hpp"
 #include "src/dem/cuda/mesh_table.hpp"
+#include "src/dem/cuda/slot_state.hpp"
 #include "src/dem/params.hpp"
 #include "src/dem/wall_set.hpp"
 
@@ -58,6 +59,11 @@ class Batch
     };
     Contacts count_contacts(std::uint32_t slot) const;
 
+    //! A slot that another one goes on from, with the same bits.
+    SlotState save(std::uint32_t slot) const;
+    //! Into a slot in which a simulation has begun, and nothing has been added.
+    void restore(std::uint32_t slot, SlotState const& state);
+
   private:
     struct HostReplica
     {
@@ -72,8 +78,8 @@ class Batch
     };
     struct Arrays;
 
-    //! The meshes of the walls as they are now.
-    void find_meshes();
+    //! Who has any, and the meshes of the walls as they are now.
+    void find_outer_loads();
     static void grow_mesh_slots(Replica& r);
     void make_room(Room const& wanted);
     Room room_for_all() const;
@@ -90,7 +96,7 @@ class Batch
     std::vector<HostReplica> replicas_;
     std::unique_ptr<Arrays> arrays_;
     View view_{};
-    bool tables_are_old_ = true, meshes_are_old_ = true;
+    bool tables_are_old_ = true, outer_loads_are_old_ = true;
     MeshTable meshes_;
     std::vector<FlatWall> wall_rows_;
     std::vector<double> wall_paths_;

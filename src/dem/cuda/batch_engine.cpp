@@ -3,6 +3,7 @@
 #include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
 #include "src/dem/motion_readings.hpp"
+#include "src/dem/record_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,22 @@ BatchEngine::BatchEngine(std::shared_ptr<Batch> batch, std::uint32_t slot, conta
     : batch_(std::move(batch)), slot_(slot), materials_(model.materials.size())
 {
     batch_->begin(slot_, make_params(model, options));
+}
+
+BatchEngine::BatchEngine(std::shared_ptr<Batch> batch, std::uint32_t slot, contact::Model const& model,
+                         SimulationOptions const& options, StateRecord const& record)
+    : BatchEngine(std::move(batch), slot, model, options)
+{
+    Params const& params = batch_->params(slot_);
+    SlotState const state = SlotState::read(record, params);
+    std::vector<std::uint32_t> count(materials_.size());
+    for (Particles const* some : {&state.particles, &state.waiting})
+        for (auto const material : some->material)
+            ++count[material];
+    for (std::uint32_t k = 0; k < count.size(); ++k)
+        materials_.bodies_enter(params, MaterialId{k}, count[k], state.walls.all());
+    added_ = static_cast<std::uint32_t>(state.added());
+    batch_->restore(slot_, state);
 }
 
 IdRange BatchEngine::add(BodyBatch const& bodies)
@@ -138,7 +155,10 @@ Counts BatchEngine::counts()
 
 StateRecord BatchEngine::save()
 {
-    throw InputError("the engine \"cuda\" does not save the state of a simulation; use the engine \"cpu\"");
+    StateRecord record;
+    write_fit(record, batch_->params(slot_));
+    batch_->save(slot_).write(record);
+    return record;
 }
 
 } // namespace demens::dem::cuda

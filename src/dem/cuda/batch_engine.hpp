@@ -11,6 +11,9 @@ class BatchEngine final : public Engine
   public:
     BatchEngine(std::shared_ptr<Batch> batch, std::uint32_t slot, contact::Model const& model,
                 SimulationOptions const& options);
+    //! Goes on from a record. \throws InputError where it does not fit.
+    BatchEngine(std::shared_ptr<Batch> batch, std::uint32_t slot, contact::Model const& model,
+                SimulationOptions const& options, StateRecord const& record);
     ~BatchEngine() override { batch_->end(slot_); }
 
     IdRange add(BodyBatch const& bodies) override;

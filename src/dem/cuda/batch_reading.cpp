@@ -1,4 +1,5 @@
 #include "src/dem/cuda/batch.hpp"
+#include "src/dem/cuda/device_reading.hpp"
 
 #include <bit>
 
@@ -26,20 +27,6 @@ Particles Batch::read(std::uint32_t slot) const
     append(particles.id, waiting.id);
     return particles;
 }
-
-namespace {
-
-//! Numbers of the device, of so many entries of all particles.
-template <class Number>
-std::vector<Number> fetch(Device& device, Number const* from, std::size_t count)
-{
-    std::vector<Number> numbers(count);
-    if (count > 0)
-        device.read(numbers.data(), from, count * sizeof(Number));
-    return numbers;
-}
-
-} // namespace
 
 std::vector<WallLoad> Batch::read_wall_loads(std::uint32_t slot) const
 {

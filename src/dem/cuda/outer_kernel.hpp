@@ -3,6 +3,7 @@
 #include "src/dem/cuda/known_laws.hpp"
 #include "src/dem/cuda/mesh_contacts.hpp"
 #include "src/dem/cuda/wall_kernel.hpp"
+#include "src/dem/surrounding_forces.hpp"
 
 namespace demens::dem::cuda {
 
@@ -97,12 +98,23 @@ struct OuterKernel
             return;
         std::uint64_t const i = v.first_of(where.slot) + where.local, set = r.current * v.all;
         Load load{};
-        if (v.near_meshes[i] != 0)
+        if (r.mesh_slots > 0 && v.near_meshes[i] != 0)
             add_meshes(r, where.slot, i, v.place[set + i], v.motion[set + i], load);
+        if (r.has_surroundings)
+            add_surroundings(r, v.place[set + i], v.motion[set + i], load);
         v.load[i] = load;
     }
 
   private:
+    DEMENS_FUNCTION static void add_surroundings(Replica const& r, Place const& here, Motion const& motion,
+                                                 Load& load)
+    {
+        Vector3 const acceleration =
+            acceleration_in(r.surroundings, static_cast<double>(r.steps_before + r.step) * r.time_step);
+        auto const [drag, shaking] = forces_on(r.surroundings, here, motion, acceleration);
+        load.fx += drag.x + shaking.x, load.fy += drag.y + shaking.y, load.fz += drag.z + shaking.z;
+    }
+
     DEMENS_FUNCTION void add_meshes(Replica& r, std::uint32_t slot, std::uint64_t i, Place const& here,
                                     Motion const& motion, Load& load) const
     {

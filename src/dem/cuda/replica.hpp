@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demens/dem/periods.hpp"
+#include "demens/dem/surroundings.hpp"
 
 #include <cstdint>
 
@@ -40,9 +41,12 @@ struct Replica
     double overlap_limit; //!< over the smaller radius
     Vector3 lower, upper; //!< of the domain [m]
     Periods periods;
+    Surroundings surroundings;
+    std::uint32_t has_surroundings;
+    std::int64_t steps_before;     //!< this block
     std::uint32_t wall_rows;       //!< 1: walls move, and have a row for each step of a block
     std::uint32_t mesh_slots;      //!< most contacts of a particle with meshes; 0: there are none
-    std::uint32_t has_outer_loads; //!< of meshes: see OuterKernel
+    std::uint32_t has_outer_loads; //!< see OuterKernel
 
     // What goes on.
     Status status;

@@ -33,6 +33,12 @@ constexpr std::uint32_t most_near_walls = 16;                           //!< of 
 constexpr std::uint32_t few_mesh_contacts = 4, most_mesh_contacts = 16; //!< of one particle
 constexpr std::uint32_t rows_of_block = 64; //!< most steps of a block while walls move
 
+//! Bits for so many entries of a list.
+constexpr std::uint32_t whole_words(std::uint32_t entries)
+{
+    return (entries + bits_of_word - 1) / bits_of_word * bits_of_word;
+}
+
 //! A contact with a wall keeps beside its history where it was and what acts on the sphere.
 constexpr std::uint32_t wall_offset_at = 0, wall_force_at = 3, wall_torque_at = 6, wall_numbers = 9;
 

@@ -11,9 +11,6 @@ std::string needs_cpu(Apparatus const& apparatus, bool with_team)
         return "several ranks share a run (run.ranks_per_group)";
     if (apparatus.options.energy_ledger)
         return "its energy is accounted for (energy_ledger)";
-    if (apparatus.options.surroundings.is_any())
-        return "drag or vibration acts on its particles (gas_viscosity_Pa_s, gas_density_kg_m3, "
-               "vibration_m_s2)";
     return "";
 }
 

@@ -99,6 +99,33 @@ TEST_F(CudaEngine, CrossesPeriodsAndFollowsMovingWalls)
     EXPECT_EQ(norm(here.wall(WallId{3}).velocity - there.wall(WallId{3}).velocity), 0);
 }
 
+TEST_F(CudaEngine, KnowsDragAndVibration)
+{
+    // In air, in water, where Newton's drag counts, and shaken; spheres that are added later, too.
+    for (Surroundings const& around : {Surroundings{.viscosity = 1.8e-5, .density = 1.2},
+                                       {.viscosity = 1e-3, .density = 1000},
+                                       {.density = 1000, .vibration = {20, 0, 5}, .frequency = 80},
+                                       {.vibration = {0, 3, 0}, .frequency = 170}}) {
+        auto const set_up = [&](EngineKind engine) {
+            SimulationOptions options = on(engine);
+            options.surroundings = around;
+            Simulation simulation(powder(), options);
+            fill(simulation, 40, 6, false);
+            simulation.advance(0);
+            simulation.advance(500);
+            simulation.add(Body{.position = {0, 0, 30 * radius}, .radius = radius, .velocity = {0.5, 0, -3}});
+            simulation.advance(500);
+            return simulation;
+        };
+        Simulation here = set_up(EngineKind::cpu), there = set_up(kind());
+        auto const a = spheres(here), b = spheres(there);
+        EXPECT_LT(largest_distance(a, b), 1e-9 * radius);
+        // The last sphere touches nothing: gravity alone would be no load.
+        EXPECT_GT(norm(a.back().force), 1e-7);
+        EXPECT_LT(norm(a.back().force - b.back().force), 1e-12 * norm(a.back().force));
+    }
+}
+
 //! A batch with simulations of all kinds in it.
 class SomeBatch
 {
