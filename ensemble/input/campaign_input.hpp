@@ -160,6 +160,7 @@ struct RunOptions
     int ranks_per_group = 1;
     double run_wall_time_s = 0; //!< a run slower than this is `timed_out`; 0: no limit
     rig::EngineChoice engine = rig::EngineChoice::cpu;
+    int runs_together = 0; //!< on a device at once; 0: as many as its memory holds
 };
 
 //! `[gap]`: what is diagnosed once the campaign is calibrated.

@@ -131,6 +131,11 @@ std::vector<Field<RunOptions>> const& fields_of()
               {.key = "engine",
                .doc = "what computes a run: this machine's processors, a CUDA device, or a device where "
                       "there is one that can do it; each gives other packings"}),
+        field(&RunOptions::runs_together,
+              {.key = "runs_together",
+               .doc = "runs that a group does at once on its device; 0: as many as its memory holds",
+               .lower = 0,
+               .upper = 65536}),
     };
     return fields;
 }

@@ -161,6 +161,10 @@ void check_sections(InputTable const& file, CampaignInput const& input)
         throw file.table("run").error("engine",
                                       "a device has a run to itself; give ranks_per_group = 1, or the "
                                       "engine \"cpu\" or \"auto\"");
+    if (input.run.engine == rig::EngineChoice::cpu && input.run.runs_together > 0)
+        throw file.table("run").error("runs_together",
+                                      "processors do the runs of a group one after another; leave it out, or "
+                                      "give the engine \"cuda\" or \"auto\"");
     auto const design = file.table("design");
     check_screening(file.table("screening"), input);
     check_objective(file.table("objective"), input);

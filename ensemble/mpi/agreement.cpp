@@ -118,6 +118,14 @@ Communicator Communicator::split(MPI_Comm communicator, int colour)
     return part;
 }
 
+Communicator Communicator::of_node(MPI_Comm communicator)
+{
+    Communicator part;
+    MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, rank_of(communicator), MPI_INFO_NULL,
+                        &part.communicator_);
+    return part;
+}
+
 Communicator::~Communicator()
 {
     if (communicator_ != MPI_COMM_NULL)

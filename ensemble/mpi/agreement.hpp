@@ -50,6 +50,8 @@ class Communicator
     static Communicator duplicate(MPI_Comm communicator);
     //! Ranks of the same colour; those with a negative colour get none.
     static Communicator split(MPI_Comm communicator, int colour);
+    //! Ranks of this rank's node.
+    static Communicator of_node(MPI_Comm communicator);
     ~Communicator();
     Communicator(Communicator&& other) noexcept;
     Communicator& operator=(Communicator&& other) noexcept;

@@ -10,17 +10,18 @@
 #include <limits>
 
 namespace demens::ensemble {
+
+rig::RunInput run_input_of(CampaignInput const& input, RunRecord const& plan)
+{
+    return input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate, plan.overrides());
+}
+
 namespace {
 
 void fail(rig::RunResult& result, rig::RunStatus status, std::string reason)
 {
     result.status = status;
     result.reason = std::move(reason);
-}
-
-rig::RunInput run_input_of(CampaignInput const& input, RunRecord const& plan)
-{
-    return input.run_input(plan.factors, plan.point, plan.experiment, plan.replicate, plan.overrides());
 }
 
 //! A rig's promises, checked: what breaks them must not reach a fit.
@@ -57,7 +58,7 @@ rig::RunResult simulate(CampaignInput const& input, RunRecord const& plan, rig::
     auto const& experiment = input.experiments.at(static_cast<std::size_t>(plan.experiment));
     rig::RunResult result;
     try {
-        result = run_experiment(experiment, run_input_of(input, plan), hooks);
+        result = experiment.rig->run(run_input_of(input, plan), hooks);
     } catch (rig::RunInterrupted const&) {
         throw;
     } catch (std::bad_alloc const&) {
@@ -69,7 +70,6 @@ rig::RunResult simulate(CampaignInput const& input, RunRecord const& plan, rig::
     } catch (...) {
         fail(result, rig::RunStatus::error, "unknown exception");
     }
-    check_result(result, experiment);
     return result;
 }
 
@@ -132,33 +132,53 @@ std::vector<double> picture_responses(Experiment const& experiment, rig::RunResu
     return experiment.picture ? responses_of(*experiment.picture, result) : std::vector<double>{};
 }
 
+void add_comparisons(Experiment const& experiment, rig::RunResult& result)
+{
+    if (result.status != rig::RunStatus::finished)
+        return;
+    for (auto const& made : {curve_responses(experiment, result), picture_responses(experiment, result)})
+        result.responses.insert(result.responses.end(), made.begin(), made.end());
+}
+
 } // namespace
 
 rig::RunResult run_experiment(Experiment const& experiment, rig::RunInput const& input,
                               rig::RunHooks const& hooks)
 {
     auto result = experiment.rig->run(input, hooks);
-    if (result.status == rig::RunStatus::finished)
-        for (auto const& made : {curve_responses(experiment, result), picture_responses(experiment, result)})
-            result.responses.insert(result.responses.end(), made.begin(), made.end());
+    add_comparisons(experiment, result);
     return result;
+}
+
+FinishedRun finished_run(CampaignInput const& input, RunRecord const& plan, rig::RunResult result,
+                         double wall_time)
+{
+    auto const& experiment = input.experiments.at(static_cast<std::size_t>(plan.experiment));
+    try {
+        add_comparisons(experiment, result);
+    } catch (std::exception const& error) {
+        fail(result, rig::RunStatus::error, error.what());
+    }
+    check_result(result, experiment);
+    FinishedRun run{plan,
+                    {std::move(result.snapshots), std::move(result.series), std::move(result.profiles)}};
+    run.record.status = result.status;
+    run.record.reason = std::move(result.reason);
+    run.record.responses = std::move(result.responses);
+    run.record.wall_time = wall_time;
+    run.record.simulated_time = result.simulated_time;
+    run.record.steps = result.steps;
+    run.record.particles = result.particles;
+    run.record.energy = result.energy;
+    return run;
 }
 
 FinishedRun execute(CampaignInput const& input, RunRecord const& plan, rig::RunHooks const& hooks)
 {
     auto const begin = std::chrono::steady_clock::now();
     auto result = simulate(input, plan, hooks);
-    FinishedRun run{plan,
-                    {std::move(result.snapshots), std::move(result.series), std::move(result.profiles)}};
-    run.record.status = result.status;
-    run.record.reason = std::move(result.reason);
-    run.record.responses = std::move(result.responses);
-    run.record.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    run.record.simulated_time = result.simulated_time;
-    run.record.steps = result.steps;
-    run.record.particles = result.particles;
-    run.record.energy = result.energy;
-    return run;
+    return finished_run(input, plan, std::move(result),
+                        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
 }
 
 Wave plan_runs(Campaign const& campaign, WavePlan const& plan)

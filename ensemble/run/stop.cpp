@@ -1,12 +1,12 @@
 #include "ensemble/run/stop.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <unistd.h>
+#include <vector>
 
 namespace demens::ensemble {
 namespace {
@@ -19,13 +19,20 @@ std::array<struct sigaction, stop_numbers.size()> stop_previous;
 
 std::array constexpr crash_numbers = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT};
 std::array<struct sigaction, crash_numbers.size()> crash_previous;
-struct CrashLine
+struct NotedLines
 {
-    std::array<char, 64> text;
-    std::size_t length;
+    std::vector<char> text;
+    char const* data = nullptr;
+    std::size_t length = 0;
+
+    void set(std::string const& lines)
+    {
+        text.assign(lines.begin(), lines.end());
+        data = text.data(), length = text.size();
+    }
 };
-std::array<CrashLine, crash_numbers.size()> crash_lines;
-CrashLine stop_line;
+std::array<NotedLines, crash_numbers.size()> crash_lines;
+NotedLines stop_lines;
 std::sig_atomic_t volatile is_noting_stop = 0; // a run is in progress whose journal does not tell of it yet
 int volatile crash_descriptor = -1;
 alignas(16) std::array<char, 16384> crash_stack; // a run may have died of too little stack
@@ -39,7 +46,7 @@ void on_stop(int signal)
     if (signal != SIGUSR1 && is_noting_stop) {
         is_noting_stop = 0;
         int const saved = errno;
-        if (::write(crash_descriptor, stop_line.text.data(), stop_line.length) > 0)
+        if (::write(crash_descriptor, stop_lines.data, stop_lines.length) > 0)
             ::fdatasync(crash_descriptor);
         errno = saved;
     }
@@ -49,7 +56,7 @@ void on_crash(int signal)
 {
     for (std::size_t i = 0; i < crash_numbers.size(); ++i)
         if (crash_numbers[i] == signal) {
-            if (::write(crash_descriptor, crash_lines[i].text.data(), crash_lines[i].length) > 0)
+            if (::write(crash_descriptor, crash_lines[i].data, crash_lines[i].length) > 0)
                 ::fdatasync(crash_descriptor);
             ::sigaction(signal, &crash_previous[i], nullptr);
         }
@@ -100,17 +107,14 @@ int CrashNote::signal_number(int i)
     return crash_numbers[static_cast<std::size_t>(i)];
 }
 
-void CrashNote::set_line(int i, std::string const& line)
+void CrashNote::set_lines(int i, std::string const& lines)
 {
-    auto& target = crash_lines[static_cast<std::size_t>(i)];
-    target.length = std::min(line.size(), target.text.size());
-    std::copy_n(line.begin(), target.length, target.text.begin());
+    crash_lines[static_cast<std::size_t>(i)].set(lines);
 }
 
-void CrashNote::set_stop_line(std::string const& line)
+void CrashNote::set_stop_lines(std::string const& lines)
 {
-    stop_line.length = std::min(line.size(), stop_line.text.size());
-    std::copy_n(line.begin(), stop_line.length, stop_line.text.begin());
+    stop_lines.set(lines);
 }
 
 void CrashNote::arm(int descriptor)

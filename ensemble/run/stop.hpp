@@ -29,18 +29,18 @@ class StopSignals
     static bool should_stop_run();
 };
 
-//! While it lives, a signal writes a line to a file first: a deadly one of this process (e.g. a segmentation
+//! While it lives, a signal writes lines to a file first: a deadly one of this process (e.g. a segmentation
 //! fault), or the first that asks it to end (SIGTERM, SIGINT).
 class CrashNote
 {
   public:
-    //! `line_of(signal)` is called now, once per deadly signal.
-    template <class LineOf>
-    CrashNote(int descriptor, std::string const& stop_line, LineOf line_of)
+    //! `lines_of(signal)` is called now, once per deadly signal.
+    template <class LinesOf>
+    CrashNote(int descriptor, std::string const& stop_lines, LinesOf lines_of)
     {
-        set_stop_line(stop_line);
+        set_stop_lines(stop_lines);
         for (int i = 0; i < signal_count; ++i)
-            set_line(i, line_of(signal_number(i)));
+            set_lines(i, lines_of(signal_number(i)));
         arm(descriptor);
     }
     ~CrashNote();
@@ -50,8 +50,8 @@ class CrashNote
   private:
     static int constexpr signal_count = 5;
     static int signal_number(int i);
-    static void set_stop_line(std::string const& line);
-    static void set_line(int i, std::string const& line);
+    static void set_stop_lines(std::string const& lines);
+    static void set_lines(int i, std::string const& lines);
     static void arm(int descriptor);
 };
 

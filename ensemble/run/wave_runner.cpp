@@ -6,9 +6,11 @@
 #include "ensemble/progress.hpp"
 #include "ensemble/run/execute.hpp"
 #include "ensemble/run/stop.hpp"
+#include "ensemble/run/together.hpp"
 
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <fmt/format.h>
 #include <thread>
 
@@ -87,6 +89,7 @@ class WaveRunner::Pass
     Pass(WaveRunner const& runner, Wave const& wave, WaveWork const& work, Journal* journal,
          std::FILE* progress)
         : runner_(runner), wave_(wave), work_(work), journal_(journal),
+          device_(device_share(runner.communicator_, runner.input_, wave, work.pending)),
           counters_(runner.communicator_, counter_count),
           display_(progress, fmt::format("wave {} ({})", wave.number, word_for(wave.purpose))),
           begin_(Clock::now())
@@ -102,11 +105,10 @@ class WaveRunner::Pass
             return {};
         }
         auto const failure = capture([&] {
-            while (StopSignals::request() == StopRequest::none) {
-                auto const i = static_cast<std::size_t>(counters_.add(next_run, 1));
-                if (i >= rows.size())
-                    return;
-                run_row(rows[i], company);
+            if (device_)
+                return take_together(rows, company);
+            while (auto const row = next_row(rows)) {
+                run_row(*row, company);
                 show();
             }
         });
@@ -139,6 +141,108 @@ class WaveRunner::Pass
 
     double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
+    //! The next row that nobody has; none when all are taken or a stop is asked for.
+    std::optional<int> next_row(std::vector<int> const& rows)
+    {
+        if (StopSignals::request() != StopRequest::none)
+            return {};
+        auto const i = static_cast<std::size_t>(counters_.add(next_run, 1));
+        return i < rows.size() ? std::optional(rows[i]) : std::nullopt;
+    }
+
+    //! The same for a device, which does many at once.
+    void take_together(std::vector<int> const& rows, Journal::Company company)
+    {
+        auto share = *device_;
+        if (company == Journal::Company::alone)
+            share.runs = 1;
+        std::deque<int> again; // taken, and given up for want of memory
+        std::optional<RunsTogether> together(std::in_place, runner_.input_, share);
+        std::optional<CrashNote> note;
+        std::map<int, double> start_times;
+        auto const next = [&]() -> std::optional<int> {
+            if (again.empty())
+                return next_row(rows);
+            int const row = again.front();
+            again.pop_front();
+            return row;
+        };
+        auto const give_up = [&] {
+            note.reset();
+            for (int const row : together->rows())
+                journal_->drain(wave_.runs[static_cast<std::size_t>(row)].run);
+        };
+        for (;;) {
+            while (together->has_room()) {
+                auto const row = next();
+                if (!row)
+                    break;
+                auto const& plan = wave_.runs[static_cast<std::size_t>(*row)];
+                journal_->start(plan.run, company);
+                start_times[*row] = work_.clock + elapsed();
+                together->begin(*row, plan);
+                note.reset();
+            }
+            if (together->rows().empty() && !together->has_ended())
+                return;
+            if (!note)
+                note_crashes_of(together->rows(), note);
+            std::vector<RunsTogether::Ended> ended;
+            try {
+                ended = together->advance();
+            } catch (std::bad_alloc const&) {
+                auto const given_up = together->rows();
+                give_up();
+                if (share.runs == 1)
+                    keep(given_up.front(), without_memory(given_up.front()));
+                else
+                    again.insert(again.end(), given_up.begin(), given_up.end());
+                share.runs = (share.runs + 1) / 2;
+                together.reset(); // its memory first
+                together.emplace(runner_.input_, share);
+                continue;
+            }
+            for (auto& one : ended) {
+                note.reset();
+                one.run.record.group = runner_.groups_.mine();
+                one.run.record.start_time = start_times[one.row];
+                keep(one.row, one.run);
+            }
+            counters_.progress();
+            show();
+            if (StopSignals::should_stop_run())
+                return give_up();
+        }
+    }
+
+    FinishedRun without_memory(int row) const
+    {
+        return finished_run(runner_.input_, wave_.runs[static_cast<std::size_t>(row)],
+                            {.status = rig::RunStatus::error, .reason = "not enough memory on the device"},
+                            0);
+    }
+
+    //! Which of several runs a crash is due to is not known: their starts stay without an end.
+    void note_crashes_of(std::vector<int> const& rows, std::optional<CrashNote>& note)
+    {
+        std::string stop_lines;
+        for (int const row : rows)
+            stop_lines += journal_->stop_line(wave_.runs[static_cast<std::size_t>(row)].run);
+        note.emplace(journal_->descriptor(), stop_lines, [&](int signal) {
+            return rows.size() == 1
+                       ? journal_->crash_line(wave_.runs[static_cast<std::size_t>(rows.front())].run, signal)
+                       : std::string();
+        });
+    }
+
+    void keep(int row, FinishedRun const& finished)
+    {
+        runner_.parts_.store(finished, runner_.input_, *journal_);
+        counters_.add(runs_done, 1);
+        counters_.add(runs_failed, finished.record.status != rig::RunStatus::finished);
+        counters_.add(microseconds_done, std::llround(1e6 * work_.seconds[static_cast<std::size_t>(row)]));
+    }
+
     //! Only the first rank of the group keeps what comes out; it comes out alike on all.
     void follow()
     {
@@ -159,9 +263,7 @@ class WaveRunner::Pass
             auto finished = simulate_noting_crashes(plan);
             finished.record.group = runner_.groups_.mine();
             finished.record.start_time = start_time;
-            runner_.parts_.store(finished, runner_.input_, *journal_);
-            counters_.add(runs_done, 1);
-            counters_.add(runs_failed, finished.record.status != rig::RunStatus::finished);
+            keep(row, finished);
         } catch (rig::RunInterrupted const&) {
             journal_->drain(plan.run);
             return;
@@ -169,7 +271,6 @@ class WaveRunner::Pass
             capture([&] { journal_->drain(plan.run); }); // not the run's fault
             throw;
         }
-        counters_.add(microseconds_done, std::llround(1e6 * work_.seconds[static_cast<std::size_t>(row)]));
     }
 
     FinishedRun simulate_noting_crashes(RunRecord const& plan)
@@ -217,6 +318,7 @@ class WaveRunner::Pass
     Wave const& wave_;
     WaveWork const& work_;
     Journal* journal_;
+    std::optional<DeviceShare> device_; //!< none: processors
     SharedCounters counters_;
     ProgressDisplay display_;
     Clock::time_point begin_;

@@ -1,5 +1,7 @@
 // The one place that knows which engines there are.
+#include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
+#include "demens/dem/device_batch.hpp"
 #include "demens/dem/engine.hpp"
 #include "src/dem/cpu/cpu_engine.hpp"
 #include "src/dem/cuda/batch_engine.hpp"
@@ -7,7 +9,7 @@
 namespace demens::dem {
 namespace {
 
-//! A batch of one, with what else its engine is made of.
+//! In the batch that the options name, or one to itself; with what else the engine is made of.
 template <class... More>
 std::unique_ptr<Engine> make_batch_engine(contact::Model const& model, SimulationOptions const& options,
                                           More const&... more)
@@ -16,9 +18,12 @@ std::unique_ptr<Engine> make_batch_engine(contact::Model const& model, Simulatio
         throw InputError(
             "the engine \"cuda\" needs a CUDA device, and there is none that this process can use; "
             "use the engine \"cpu\", or \"auto\", which takes a device where there is one");
-    auto device = options.engine == EngineKind::cuda ? cuda::make_cuda_device() : cuda::make_host_device();
-    auto batch = std::make_shared<cuda::Batch>(std::move(device), 1);
-    return std::make_unique<cuda::BatchEngine>(std::move(batch), 0, model, options, more...);
+    if (options.batch == nullptr)
+        return std::make_unique<cuda::BatchEngine>(DeviceBatch(options.engine, 0, 1).batch(), 0, model, options,
+                                                   more...);
+    DEMENS_EXPECT(options.engine == options.batch->kind(), "an engine joins a batch of its kind");
+    auto const& batch = options.batch->batch();
+    return std::make_unique<cuda::BatchEngine>(batch, batch->free_slot(), model, options, more...);
 }
 
 } // namespace

@@ -50,6 +50,8 @@ class Engine
     virtual void set_model(contact::Model const& model) = 0;
 
     virtual void advance(std::int64_t steps) = 0;
+    //! In a batch: done when that advances. Elsewhere at once.
+    virtual void advance_later(std::int64_t steps) { advance(steps); }
 
     virtual Health health() = 0;
     virtual StateView read(Fields fields) = 0;

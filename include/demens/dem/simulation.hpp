@@ -39,6 +39,8 @@ class Simulation
     void set_model(contact::Model const& model) { engine_->set_model(model); }
 
     void advance(std::int64_t steps) { engine_->advance(steps); } //!< 0: loads at first become known
+    //! The same together with others, when the batch of the options advances; without a batch at once.
+    void advance_later(std::int64_t steps) { engine_->advance_later(steps); }
 
     //! State as of the last step; overlaps are judged since the last call.
     Health health() { return engine_->health(); }

@@ -6,6 +6,7 @@
 
 namespace demens::dem {
 
+class DeviceBatch;
 class Team;
 
 //! Where a simulation is computed.
@@ -30,6 +31,7 @@ struct SimulationOptions
     double closure_limit = 0.05; //!< largest closure error of the ledger that counts as healthy
     Team* team = nullptr;        //!< who shares the simulation; null: nobody
     EngineKind engine = EngineKind::cpu;
+    DeviceBatch* batch = nullptr; //!< whose slot an engine of its kind takes; null: a device to itself
 };
 
 //! Rayleigh time of a sphere: a wave crosses its surface (Ning and Thornton 1993) [s].

@@ -61,7 +61,7 @@ FlatWall flattened(Wall const& wall, MeshPlace const& mesh)
 }
 
 Batch::Batch(std::unique_ptr<Device> device, std::uint32_t slots)
-    : device_(std::move(device)), replicas_(slots)
+    : device_(std::move(device)), replicas_(slots), asked_(slots, 0)
 {
     DEMENS_EXPECT(slots > 0, "a batch has room for somebody");
 }
@@ -88,6 +88,22 @@ void Batch::end(std::uint32_t slot)
 {
     replicas_[slot] = HostReplica{};
     outer_loads_are_old_ = true;
+    asked_[slot] = 0;
+}
+
+std::uint32_t Batch::free_slots() const
+{
+    return static_cast<std::uint32_t>(
+        std::count_if(replicas_.begin(), replicas_.end(),
+                      [](HostReplica const& r) { return r.device.status == Status::empty; }));
+}
+
+std::uint32_t Batch::free_slot() const
+{
+    for (std::uint32_t slot = 0; slot < slots(); ++slot)
+        if (replicas_[slot].device.status == Status::empty)
+            return slot;
+    throw InputError(fmt::format("a batch of {} simulations has no room for another", slots()));
 }
 
 void Batch::change_params(std::uint32_t slot, std::shared_ptr<Params const> params)
@@ -128,8 +144,8 @@ Room Batch::room_for_all() const
         if (replica.device.status == Status::empty)
             continue;
         auto const particles = replica.device.particles + static_cast<std::uint32_t>(replica.waiting.size());
-        if (particles > room.particles)
-            room.particles = whole_blocks(particles);
+        if (particles > room.particles) // those that grow bit by bit are moved seldom
+            room.particles = whole_blocks(std::max(particles, room.particles + room.particles / 4));
         for (auto const& layout : replica.params->layouts)
             room.history = std::max(room.history, static_cast<std::uint32_t>(layout.size));
         room.walls = std::max(room.walls, replica.device.mesh_slots);
@@ -144,11 +160,8 @@ Room Batch::room_for_all() const
             std::uint32_t const wanted = replica.device.room_wanted;
             if (wanted > room.neighbours)
                 room.neighbours = whole_words(wanted);
-            if (replica.device.wall_room_wanted > most_near_walls)
-                throw InputError(fmt::format("a particle is near {} walls at once; the engine \"cuda\" has "
-                                             "room for {}: use the engine \"cpu\"",
-                                             replica.device.wall_room_wanted, most_near_walls));
-            room.walls = std::max(room.walls, replica.device.wall_room_wanted + replica.device.mesh_slots);
+            std::uint32_t const near = std::min(most_near_walls, replica.device.wall_room_wanted);
+            room.walls = std::max(room.walls, near + replica.device.mesh_slots);
         }
     }
     room.facets = std::max(room.facets, meshes_.facets());
@@ -159,7 +172,7 @@ Room Batch::room_for_all() const
 
 void Batch::find_outer_loads()
 {
-    if (!std::exchange(outer_loads_are_old_, false))
+    if (!outer_loads_are_old_.exchange(false))
         return;
     meshes_.begin();
     for (HostReplica& replica : replicas_) {
@@ -173,15 +186,16 @@ void Batch::find_outer_loads()
 }
 
 //! A replica that ran out of room for contacts with meshes gets more; that depends on nobody else.
-void Batch::grow_mesh_slots(Replica& r)
+bool Batch::may_grow(Replica& r)
 {
-    if (r.mesh_slots_wanted <= r.mesh_slots)
-        return;
-    if (r.mesh_slots >= most_mesh_contacts)
-        throw InputError(fmt::format("a particle touches meshes in more than {} places at once, which is all "
-                                     "that the engine \"cuda\" has room for: use the engine \"cpu\"",
-                                     most_mesh_contacts));
-    r.mesh_slots *= 2;
+    if (r.wall_room_wanted > most_near_walls)
+        return false;
+    if (r.mesh_slots_wanted > r.mesh_slots) {
+        if (r.mesh_slots >= most_mesh_contacts)
+            return false;
+        r.mesh_slots *= 2;
+    }
+    return true;
 }
 
 void Batch::make_room(Room const& wanted)
@@ -205,7 +219,7 @@ void Batch::make_room(Room const& wanted)
 
 void Batch::write_tables()
 {
-    if (!std::exchange(tables_are_old_, false))
+    if (!tables_are_old_.exchange(false))
         return;
     Room const& room = view_.room;
     // Slots without laws keep those of any other, which nobody reads.
@@ -393,8 +407,8 @@ void Batch::run_block(std::span<std::uint32_t const> steps)
         // Those that ran out of room go on where they stopped, when there is more.
         launches = 0;
         for (std::uint32_t slot = 0; slot < slots(); ++slot) {
-            if (records[slot].status == Status::full)
-                grow_mesh_slots(records[slot]);
+            if (records[slot].status == Status::full && !may_grow(records[slot]))
+                records[slot].status = Status::crowded;
             replicas_[slot].device = records[slot];
             if (records[slot].status == Status::full)
                 launches = std::max(launches, records[slot].steps - records[slot].step + 1);
@@ -419,6 +433,12 @@ void Batch::run_block(std::span<std::uint32_t const> steps)
         replica.loads_are_known = true;
         replica.stale = records[slot].stale != 0;
     }
+}
+
+void Batch::advance_asked()
+{
+    auto const asked = std::exchange(asked_, std::vector<std::int64_t>(slots(), 0));
+    advance(asked);
 }
 
 void Batch::advance(std::span<std::int64_t const> steps)

@@ -7,6 +7,7 @@
 #include "src/dem/params.hpp"
 #include "src/dem/wall_set.hpp"
 
+#include <atomic>
 #include <span>
 #include <utility>
 
@@ -14,7 +15,8 @@ namespace demens::dem::cuda {
 
 //! Many simulations on one device, advanced together: each has a slot, with its own laws, time step, walls
 //! and clock. One that goes wrong is left behind, the others go on; an empty slot can be taken at any time.
-//! What a replica does depends neither on its slot nor on its neighbours, bit for bit.
+//! What a replica does depends neither on its slot nor on its neighbours, bit for bit. Different slots can be
+//! changed and read by different threads at a time, while nothing is advanced, begun or ended.
 class Batch
 {
   public:
@@ -37,6 +39,13 @@ class Batch
 
     //! So many steps of each slot; 0 makes loads known that are not. Slots that are not healthy stay.
     void advance(std::span<std::int64_t const> steps);
+    //! Steps of a slot that it gets when `advance_asked` is called.
+    void ask(std::uint32_t slot, std::int64_t steps) { asked_[slot] = steps; }
+    void advance_asked();
+    bool loads_are_known(std::uint32_t slot) const { return replicas_[slot].loads_are_known; }
+    //! \throws InputError where there is none
+    std::uint32_t free_slot() const;
+    std::uint32_t free_slots() const;
 
     Params const& params(std::uint32_t slot) const { return *replicas_[slot].params; }
     std::int64_t steps_done(std::uint32_t slot) const { return replicas_[slot].steps_done; }
@@ -80,7 +89,8 @@ class Batch
 
     //! Who has any, and the meshes of the walls as they are now.
     void find_outer_loads();
-    static void grow_mesh_slots(Replica& r);
+    //! Notes how much more room a replica that is full needs; false: there is no more.
+    static bool may_grow(Replica& r);
     void make_room(Room const& wanted);
     Room room_for_all() const;
     void write_tables();
@@ -96,8 +106,9 @@ class Batch
     std::vector<HostReplica> replicas_;
     std::unique_ptr<Arrays> arrays_;
     View view_{};
-    bool tables_are_old_ = true, outer_loads_are_old_ = true;
     MeshTable meshes_;
+    std::vector<std::int64_t> asked_;
+    std::atomic<bool> tables_are_old_ = true, outer_loads_are_old_ = true; //!< slots are changed beside each other
     std::vector<FlatWall> wall_rows_;
     std::vector<double> wall_paths_;
 };

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+
 namespace demens::dem::cuda {
 
 BatchEngine::BatchEngine(std::shared_ptr<Batch> batch, std::uint32_t slot, contact::Model const& model,
@@ -82,8 +84,18 @@ void BatchEngine::set_model(contact::Model const& model)
     batch_->change_params(slot_, std::move(params));
 }
 
+void BatchEngine::advance_later(std::int64_t steps)
+{
+    if (options().batch == nullptr)
+        return advance(steps);
+    read_at_ = -1;
+    batch_->ask(slot_, steps);
+}
+
 void BatchEngine::advance(std::int64_t steps)
 {
+    if (steps == 0 && steps_done() > 0 && batch_->loads_are_known(slot_))
+        return;
     std::vector<std::int64_t> of_slots(batch_->slots(), 0);
     of_slots[slot_] = steps;
     read_at_ = -1;
@@ -116,6 +128,12 @@ Health BatchEngine::health()
                                         [](Place const& p) { return std::isfinite(p.x + p.y + p.z); });
         return finite ? Health::escaped : Health::not_a_number;
     }
+    case Status::crowded:
+        throw InputError(
+            fmt::format("a particle is near more than {} walls at once, or touches meshes in more "
+                        "than {} places at once, which is all that the engine \"cuda\" has room "
+                        "for: use the engine \"cpu\"",
+                        most_near_walls, most_mesh_contacts));
     default:
         return leaping ? Health::leaping : overlapping ? Health::overlapping : Health::good;
     }

@@ -31,6 +31,7 @@ class BatchEngine final : public Engine
     void set_model(contact::Model const& model) override;
 
     void advance(std::int64_t steps) override;
+    void advance_later(std::int64_t steps) override;
 
     Health health() override;
     StateView read(Fields fields) override;

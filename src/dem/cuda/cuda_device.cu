@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <map>
 #include <new>
-#include <stdexcept>
 #include <utility>
 
 #define DEMENS_VISIBLE __attribute__((visibility("default")))
@@ -23,7 +22,7 @@ namespace {
 void require(cudaError_t status)
 {
     if (status != cudaSuccess)
-        throw std::runtime_error(std::string("CUDA: ") + cudaGetErrorString(status));
+        throw DeviceError(std::string("CUDA: ") + cudaGetErrorString(status));
 }
 
 //! A block has particles, or cells, of one slot.
@@ -166,9 +165,9 @@ class StepGraph
 class CudaDevice final : public Device
 {
   public:
-    CudaDevice()
+    explicit CudaDevice(int number) : number_(number)
     {
-        require(cudaSetDevice(0));
+        require(cudaSetDevice(number_));
         require(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking));
         require(cudaMalloc(&wanted_, sizeof *wanted_));
         int driver = 0;
@@ -185,12 +184,20 @@ class CudaDevice final : public Device
     std::string name() const override
     {
         cudaDeviceProp properties;
-        require(cudaGetDeviceProperties(&properties, 0));
+        require(cudaGetDeviceProperties(&properties, number_));
         return properties.name;
+    }
+    std::size_t free_memory() const override
+    {
+        std::size_t free = 0, all = 0;
+        require(cudaSetDevice(number_));
+        require(cudaMemGetInfo(&free, &all));
+        return free;
     }
 
     void* allocate(std::size_t bytes) override
     {
+        require(cudaSetDevice(number_));
         void* memory = nullptr;
         if (cudaMalloc(&memory, bytes > 0 ? bytes : 1) != cudaSuccess) {
             cudaGetLastError();
@@ -218,6 +225,7 @@ class CudaDevice final : public Device
 
     void advance(View const& view, LawKernel laws, std::uint32_t launches, bool search_first) override
     {
+        require(cudaSetDevice(number_)); // a thread has a device of its own to begin with
         if (search_first)
             search(view, Launches{view.room, stream_});
         if (!has_conditional_graphs_)
@@ -258,6 +266,7 @@ class CudaDevice final : public Device
         return *made;
     }
 
+    int number_;
     cudaStream_t stream_ = nullptr;
     std::uint32_t* wanted_ = nullptr; //!< whether a replica wants lists
     bool has_conditional_graphs_ = false;
@@ -266,17 +275,21 @@ class CudaDevice final : public Device
 
 } // namespace
 
-DEMENS_VISIBLE bool has_cuda_device()
+DEMENS_VISIBLE int cuda_devices()
 {
     int devices = 0;
-    return cudaGetDeviceCount(&devices) == cudaSuccess && devices > 0;
+    return cudaGetDeviceCount(&devices) == cudaSuccess ? devices : 0;
 }
 
-DEMENS_VISIBLE std::unique_ptr<Device> make_cuda_device()
+DEMENS_VISIBLE std::unique_ptr<Device> make_cuda_device(int number)
 {
-    if (!has_cuda_device())
-        throw std::runtime_error("there is no CUDA device that this process can use");
-    return std::make_unique<CudaDevice>();
+    int const devices = cuda_devices();
+    if (devices == 0)
+        throw DeviceError("there is no CUDA device that this process can use");
+    if (number < 0 || number >= devices)
+        throw DeviceError("there is no CUDA device " + std::to_string(number) +
+                          " that this process can use; it sees " + std::to_string(devices));
+    return std::make_unique<CudaDevice>(number);
 }
 
 } // namespace demens::dem::cuda

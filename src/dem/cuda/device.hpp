@@ -1,5 +1,6 @@
 #pragma once
 
+#include "demens/dem/device_batch.hpp"
 #include "src/dem/cuda/known_laws.hpp"
 #include "src/dem/cuda/view.hpp"
 
@@ -17,6 +18,7 @@ class Device
     virtual ~Device() = default;
 
     virtual std::string name() const = 0;
+    virtual std::size_t free_memory() const = 0; //!< [B]
 
     //! Zeros. \throws std::bad_alloc
     virtual void* allocate(std::size_t bytes) = 0;
@@ -33,10 +35,14 @@ class Device
 
 //! The kernels as loops of this process.
 std::unique_ptr<Device> make_host_device();
-//! The first CUDA device that this process sees. \throws std::runtime_error where there is none, or where
+//! A CUDA device that this process sees. \throws DeviceError where there is none of this number, or where
 //! this build has no code for one.
-std::unique_ptr<Device> make_cuda_device();
-//! Whether there is one.
-bool has_cuda_device();
+std::unique_ptr<Device> make_cuda_device(int number = 0);
+//! How many there are.
+int cuda_devices();
+inline bool has_cuda_device()
+{
+    return cuda_devices() > 0;
+}
 
 } // namespace demens::dem::cuda

@@ -1,18 +1,16 @@
 // In place of cuda_device.cu, where there is no nvcc.
 #include "src/dem/cuda/device.hpp"
 
-#include <stdexcept>
-
 namespace demens::dem::cuda {
 
-std::unique_ptr<Device> make_cuda_device()
+std::unique_ptr<Device> make_cuda_device(int)
 {
-    throw std::runtime_error("this build has no code for CUDA devices: it was made without nvcc");
+    throw DeviceError("this build has no code for CUDA devices: it was made without nvcc");
 }
 
-bool has_cuda_device()
+int cuda_devices()
 {
-    return false;
+    return 0;
 }
 
 } // namespace demens::dem::cuda

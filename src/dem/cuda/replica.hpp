@@ -14,7 +14,8 @@ enum class Status : std::uint32_t
     running,      //!< healthy
     not_a_number, //!< a place, velocity or spin is not finite
     escaped,      //!< a particle is outside the domain
-    full          //!< a list is longer than its room: it goes on when there is more
+    full,         //!< a list is longer than its room: it goes on when there is more
+    crowded       //!< a particle is near more walls than there is room for
 };
 
 //! What the next launch does with a replica.

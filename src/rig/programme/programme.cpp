@@ -46,6 +46,14 @@ dem::StateView const& Look::particles()
     return *particles_;
 }
 
+Programme programme_of(RigInfo const& rig, RunInput const& input, int ranks)
+{
+    auto programme = rig.describe(input);
+    programme.engine = input.engine;
+    check_memory(programme.expected_particles, ranks, memory_limit());
+    return programme;
+}
+
 RigInfo described(RigInfo rig)
 {
     auto const describe = [of_rig = rig.describe](RunInput const& input) {
@@ -69,11 +77,10 @@ RigInfo described(RigInfo rig)
         auto const programme = describe(input);
         return programme.expected_particles * programme.expected_duration / programme.time_step;
     };
-    rig.run = [rig, describe](RunInput const& input, RunHooks const& hooks) {
+    rig.run = [rig](RunInput const& input, RunHooks const& hooks) {
         std::optional<Programme> programme;
         try {
-            programme = describe(input);
-            check_memory(programme->expected_particles, hooks.team ? hooks.team->size() : 1, memory_limit());
+            programme = programme_of(rig, input, hooks.team ? hooks.team->size() : 1);
         } catch (std::exception const& error) {
             auto const count = responses_of(rig, input.experiment).size();
             return RunResult{.status = RunStatus::error,

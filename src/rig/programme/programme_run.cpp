@@ -2,6 +2,7 @@
 
 #include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
+#include "demens/dem/device_batch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,8 +81,8 @@ bool all_of(Range const& range, Condition const& condition)
 
 } // namespace
 
-ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team)
-    : programme_(std::move(programme)), team_(team)
+ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team, dem::DeviceBatch* batch)
+    : programme_(std::move(programme)), team_(team), batch_(batch)
 {
     DEMENS_EXPECT(programme_.build && programme_.time_step > 0 && programme_.steps_per_look > 0,
                   "something stands there, and time goes on between two looks at it");
@@ -104,6 +105,7 @@ ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team, RunState const&
     Apparatus apparatus = programme_.build();
     apparatus.options.team = team_;
     apparatus.options.engine = chosen_engine(programme_.engine, apparatus, team_ != nullptr);
+    apparatus.options.batch = apparatus.options.engine == dem::EngineKind::cpu ? nullptr : batch_;
     auto const stage = state.progress.model_of;
     auto model = stage ? *programme_.stages[*stage].model : apparatus.model;
     if (contact::drifts(model)) {
@@ -117,37 +119,59 @@ ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team, RunState const&
 }
 
 void ProgrammeRun::advance(std::int64_t steps)
-try {
+{
     DEMENS_EXPECT(steps >= 0, "time goes forwards");
-    if (is_over())
-        return;
-    if (!bench_)
-        build();
-    auto& progress = bench_->progress;
-    while (progress.stage < programme_.stages.size()) {
-        if (!progress.entered) {
-            begin_stage();
-        } else if (progress.steps_to_look == 0) {
-            look();
-        } else {
-            auto const now = std::min(steps, progress.steps_to_look);
-            if (now <= 0)
-                return;
-            bench_->simulation.advance(now);
-            steps -= now;
-            progress.steps_to_look -= now;
-            if (progress.steps_to_look == 0)
-                check_health();
-        }
+    while (std::int64_t const now = std::min(steps, prepare())) {
+        guarded([&] { bench_->simulation.advance(now); });
+        has_advanced(now);
+        steps -= now;
     }
-    for (std::size_t r = 0; r < programme_.responses.size(); ++r)
-        if (std::isnan(progress.responses[r]))
-            throw RunFailure(RunStatus::error,
-                             fmt::format("the response {} has no value: {}",
-                                         programme_.responses[r].info.name, programme_.responses[r].if_none));
-    status_ = RunStatus::finished;
+}
+
+std::int64_t ProgrammeRun::prepare()
+{
+    guarded([&] {
+        if (!bench_)
+            build();
+        auto& progress = bench_->progress;
+        while (progress.stage < programme_.stages.size()) {
+            if (!progress.entered)
+                begin_stage();
+            else if (progress.steps_to_look == 0)
+                look();
+            else
+                return;
+        }
+        for (std::size_t r = 0; r < programme_.responses.size(); ++r)
+            if (std::isnan(progress.responses[r]))
+                throw RunFailure(RunStatus::error, fmt::format("the response {} has no value: {}",
+                                                               programme_.responses[r].info.name,
+                                                               programme_.responses[r].if_none));
+        status_ = RunStatus::finished;
+    });
+    return is_over() ? 0 : bench_->progress.steps_to_look;
+}
+
+void ProgrammeRun::has_advanced(std::int64_t steps)
+{
+    guarded([&] {
+        auto& progress = bench_->progress;
+        DEMENS_EXPECT(steps <= progress.steps_to_look, "no look is missed");
+        progress.steps_to_look -= steps;
+        if (progress.steps_to_look == 0)
+            check_health();
+    });
+}
+
+template <class Call>
+void ProgrammeRun::guarded(Call const& call)
+try {
+    if (!is_over())
+        call();
 } catch (std::bad_alloc const&) {
     throw; // of a team, one rank's trouble
+} catch (dem::DeviceError const&) {
+    throw; // not the run's
 } catch (RunFailure const& failure) {
     fail(failure.status(), failure.what());
 } catch (std::exception const& failure) {
@@ -165,6 +189,7 @@ void ProgrammeRun::build()
     Apparatus apparatus = programme_.build();
     apparatus.options.team = team_;
     apparatus.options.engine = chosen_engine(programme_.engine, apparatus, team_ != nullptr);
+    apparatus.options.batch = apparatus.options.engine == dem::EngineKind::cpu ? nullptr : batch_;
     bench_.emplace(Bench{dem::Simulation(apparatus.model, apparatus.options)});
     if (contact::drifts(apparatus.model))
         drifting_ = apparatus.model;

@@ -104,4 +104,7 @@ struct Programme
     std::function<Apparatus()> build = {};
 };
 
+//! A run of a rig that is described, for so many ranks. \throws InputError where it cannot be done
+Programme programme_of(RigInfo const& rig, RunInput const& input, int ranks);
+
 } // namespace demens::rig

@@ -37,13 +37,23 @@ struct RunState
 class ProgrammeRun
 {
   public:
-    ProgrammeRun(Programme programme, dem::Team* team);
+    //! \param team who simulates it together; null: this rank alone
+    //! \param batch where it takes a slot if its engine is that of a device; null: a device to itself
+    ProgrammeRun(Programme programme, dem::Team* team, dem::DeviceBatch* batch = nullptr);
     //! Goes on with a run of the same programme that was left, with the same bits. \throws InputError
     ProgrammeRun(Programme programme, dem::Team* team, RunState const& state);
 
     //! Does so many time steps or less, with all looks and changes of stage that come on the way; returns
     //! when they are done or the run is over. What goes wrong in it is the run's status.
     void advance(std::int64_t steps);
+    //! The same in two parts, for who advances many at once. All that is due now; returns the steps that the
+    //! simulation is then to do before the next look, 0 when the run is over.
+    std::int64_t prepare();
+    //! So many of them have been done.
+    void has_advanced(std::int64_t steps);
+    bool has_begun() const { return bench_ && bench_->simulation.steps_done() > 0; }
+    //! Of a run that is prepared.
+    dem::Simulation& simulation() { return bench_->simulation; }
     bool is_over() const { return status_ != RunStatus::not_run; }
     //! To go on later or elsewhere; the run has begun and is not over.
     RunState save() { return {bench_->simulation.save(), bench_->progress}; }
@@ -58,6 +68,9 @@ class ProgrammeRun
     RunResult result();
 
   private:
+    //! Calls, and makes what goes wrong the run's status.
+    template <class Call>
+    void guarded(Call const& call);
     void build();
     //! Whose coefficients hold from now on.
     void set_model(contact::Model const& model);
@@ -74,6 +87,7 @@ class ProgrammeRun
 
     Programme programme_;
     dem::Team* team_;
+    dem::DeviceBatch* batch_;
     std::optional<Bench> bench_;             //!< none before the first step
     std::optional<contact::Model> drifting_; //!< as given at the beginning; none: no coefficient drifts
     std::function<void(Bench&, std::string const&)> watcher_;

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "demens/rig/programme/run_batch.hpp"
+#include "ensemble/run/execute.hpp"
+
+#include <map>
+#include <mpi.h>
+#include <optional>
+
+namespace demens::ensemble {
+
+//! What a group has of a device.
+struct DeviceShare
+{
+    dem::EngineKind kind;
+    int device;         //!< number among those that its process sees
+    std::uint32_t runs; //!< at once
+    int threads;        //!< that look at them
+};
+
+//! What this rank computes the runs of a wave on; none: on processors, one after another. Groups of one rank
+//! take the devices of their node in turns. Collective.
+std::optional<DeviceShare> device_share(MPI_Comm communicator, CampaignInput const& input, Wave const& wave,
+                                        std::vector<int> const& rows);
+
+//! Runs of a wave that one device does at once. Whatever goes wrong in one is its status and reason.
+class RunsTogether
+{
+  public:
+    RunsTogether(CampaignInput const& input, DeviceShare const& share);
+
+    bool has_room() const { return rows_.size() < device_.slots(); }
+    //! Rows of the wave that are not over.
+    std::vector<int> const& rows() const { return rows_; }
+    void begin(int row, RunRecord const& plan);
+    //! Whether some are over that have not been given yet.
+    bool has_ended() const { return !ended_.empty(); }
+
+    struct Ended
+    {
+        int row;
+        FinishedRun run;
+    };
+    //! Goes on with all for a moment. \throws std::bad_alloc, dem::DeviceError: then all are to begin again
+    std::vector<Ended> advance();
+
+  private:
+    void end(int row, rig::RunResult result, double wall_time);
+
+    CampaignInput const& input_;
+    dem::DeviceBatch device_;
+    rig::RunBatch batch_;
+    std::vector<int> rows_;
+    std::map<int, RunRecord> plans_;
+    std::vector<Ended> ended_;
+};
+
+} // namespace demens::ensemble
