@@ -19,8 +19,8 @@ std::unique_ptr<Engine> make_batch_engine(contact::Model const& model, Simulatio
             "the engine \"cuda\" needs a CUDA device, and there is none that this process can use; "
             "use the engine \"cpu\", or \"auto\", which takes a device where there is one");
     if (options.batch == nullptr)
-        return std::make_unique<cuda::BatchEngine>(DeviceBatch(options.engine, 0, 1).batch(), 0, model, options,
-                                                   more...);
+        return std::make_unique<cuda::BatchEngine>(DeviceBatch(options.engine, 0, 1).batch(), 0, model,
+                                                   options, more...);
     DEMENS_EXPECT(options.engine == options.batch->kind(), "an engine joins a batch of its kind");
     auto const& batch = options.batch->batch();
     return std::make_unique<cuda::BatchEngine>(batch, batch->free_slot(), model, options, more...);

@@ -108,7 +108,8 @@ class Batch
     View view_{};
     MeshTable meshes_;
     std::vector<std::int64_t> asked_;
-    std::atomic<bool> tables_are_old_ = true, outer_loads_are_old_ = true; //!< slots are changed beside each other
+    std::atomic<bool> tables_are_old_ = true,
+                      outer_loads_are_old_ = true; //!< slots are changed beside each other
     std::vector<FlatWall> wall_rows_;
     std::vector<double> wall_paths_;
 };

@@ -11,15 +11,17 @@ Particles Batch::read(std::uint32_t slot) const
     std::size_t const count = replica.device.particles, first = std::size_t{slot} * view_.room.particles;
     Particles particles;
     particles.resize(count);
+    std::vector<Device::Piece> pieces;
     auto const read = [&]<class Number>(std::vector<Number>& to, Number const* from, std::size_t set) {
         if (count > 0)
-            device_->read(to.data(), from + set * view_.all + first, count * sizeof(Number));
+            pieces.push_back({to.data(), from + set * view_.all + first, count * sizeof(Number)});
     };
     read(particles.place, view_.place, replica.device.current);
     read(particles.motion, view_.motion, replica.device.current);
     read(particles.load, view_.load, 0);
     read(particles.material, view_.material, replica.device.sorted);
     read(particles.id, view_.id, replica.device.sorted);
+    device_->read(pieces);
     Particles const& waiting = replica.waiting;
     auto const append = [](auto& to, auto const& from) { to.insert(to.end(), from.begin(), from.end()); };
     append(particles.place, waiting.place), append(particles.motion, waiting.motion);

@@ -4,7 +4,9 @@
 #include "src/dem/cuda/search_kernels.hpp"
 #include "src/dem/cuda/step_kernel.hpp"
 
+#include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <map>
 #include <new>
 #include <utility>
@@ -162,6 +164,28 @@ class StepGraph
     cudaGraphExec_t executable_ = nullptr;
 };
 
+//! Memory of the host that devices write to without a copy on the way, kept by each thread.
+class Staging
+{
+  public:
+    static void* of_thread(std::size_t bytes)
+    {
+        thread_local Staging staging;
+        if (bytes > staging.bytes_) {
+            cudaFreeHost(std::exchange(staging.memory_, nullptr));
+            staging.bytes_ = 0;
+            require(cudaHostAlloc(&staging.memory_, 2 * bytes, cudaHostAllocPortable));
+            staging.bytes_ = 2 * bytes;
+        }
+        return staging.memory_;
+    }
+    ~Staging() { cudaFreeHost(memory_); }
+
+  private:
+    void* memory_ = nullptr;
+    std::size_t bytes_ = 0;
+};
+
 class CudaDevice final : public Device
 {
   public:
@@ -221,6 +245,28 @@ class CudaDevice final : public Device
     {
         require(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, stream_));
         require(cudaStreamSynchronize(stream_));
+    }
+
+    void read(std::span<Piece const> pieces) override
+    {
+        std::size_t bytes = 0;
+        for (Piece const& piece : pieces)
+            bytes += piece.bytes;
+        if (bytes == 0)
+            return;
+        require(cudaSetDevice(number_)); // a thread has a device of its own to begin with
+        auto* staged = static_cast<std::byte*>(Staging::of_thread(bytes));
+        for (Piece const& piece : pieces) {
+            require(cudaMemcpyAsync(staged, piece.from, piece.bytes, cudaMemcpyDeviceToHost,
+                                    cudaStreamPerThread));
+            staged += piece.bytes;
+        }
+        require(cudaStreamSynchronize(cudaStreamPerThread));
+        staged -= bytes;
+        for (Piece const& piece : pieces) {
+            std::memcpy(piece.to, staged, piece.bytes);
+            staged += piece.bytes;
+        }
     }
 
     void advance(View const& view, LawKernel laws, std::uint32_t launches, bool search_first) override

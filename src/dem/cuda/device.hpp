@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace demens::dem::cuda {
@@ -25,6 +26,14 @@ class Device
     virtual void release(void* memory) = 0;
     virtual void write(void* to, void const* from, std::size_t bytes) = 0; //!< to the device
     virtual void read(void* to, void const* from, std::size_t bytes) = 0;  //!< to the host; waits
+    struct Piece
+    {
+        void* to;
+        void const* from;
+        std::size_t bytes;
+    };
+    //! Several at once, while nothing is under way; different threads can at a time.
+    virtual void read(std::span<Piece const> pieces) = 0;
 
     //! So many launches of the step kernel, with searches where replicas want them; before the first one
     //! where `search_first`. Does not wait.

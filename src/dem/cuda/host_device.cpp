@@ -46,6 +46,11 @@ class HostDevice final : public Device
     void release(void* memory) override { std::free(memory); }
     void write(void* to, void const* from, std::size_t bytes) override { copy(to, from, bytes); }
     void read(void* to, void const* from, std::size_t bytes) override { copy(to, from, bytes); }
+    void read(std::span<Piece const> pieces) override
+    {
+        for (Piece const& piece : pieces)
+            copy(piece.to, piece.from, piece.bytes);
+    }
 
     void advance(View const& view, LawKernel laws, std::uint32_t launches, bool search_first) override
     {

@@ -1,14 +1,11 @@
 #include "demens/rig/programme/run_batch.hpp"
 
 #include "demens/base/contract.hpp"
+#include "src/rig/programme/crew.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <exception>
-#include <mutex>
 #include <sched.h>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -25,33 +22,6 @@ double seconds_since(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-//! Calls for each of 0 to count - 1, on so many threads; throws what one of the calls throws, when all are
-//! done.
-template <class Call>
-void beside_each_other(std::size_t count, int threads, Call const& call)
-{
-    std::atomic<std::size_t> next = 0;
-    std::exception_ptr thrown;
-    std::mutex mutex;
-    auto const work = [&] {
-        for (std::size_t k; (k = next++) < count;)
-            try {
-                call(k);
-            } catch (...) {
-                std::lock_guard const lock(mutex);
-                thrown = std::current_exception();
-            }
-    };
-    {
-        std::vector<std::jthread> others;
-        for (int t = 1; t < std::min(threads, static_cast<int>(count)); ++t)
-            others.emplace_back(work);
-        work();
-    }
-    if (thrown)
-        std::rethrow_exception(thrown);
-}
-
 } // namespace
 
 struct RunBatch::Member
@@ -65,7 +35,7 @@ struct RunBatch::Member
 };
 
 RunBatch::RunBatch(dem::DeviceBatch& device, int threads, double wall_time_limit)
-    : device_(device), threads_(threads), wall_time_limit_(wall_time_limit)
+    : device_(device), crew_(std::make_unique<Crew>(threads)), wall_time_limit_(wall_time_limit)
 {
 }
 
@@ -88,8 +58,7 @@ void RunBatch::prepare()
             begun.push_back(member.get());
         else
             member->to_look = member->run.prepare();
-    beside_each_other(begun.size(), threads_,
-                      [&](std::size_t k) { begun[k]->to_look = begun[k]->run.prepare(); });
+    crew_->each(begun.size(), [&](std::size_t k) { begun[k]->to_look = begun[k]->run.prepare(); });
 }
 
 std::vector<RunBatch::Ended> RunBatch::advance()

@@ -8,6 +8,8 @@
 
 namespace demens::rig {
 
+class Crew;
+
 //! Runs that go on together: the steps of all between two looks are done at once by the device of a batch,
 //! and their looks beside each other on the cores of this process. A run that is over makes room for another
 //! while the rest goes on. None of that changes what a run gives.
@@ -41,7 +43,7 @@ class RunBatch
     std::vector<Ended> take_ended();
 
     dem::DeviceBatch& device_;
-    int threads_;
+    std::unique_ptr<Crew> crew_; //!< who looks
     double wall_time_limit_;
     std::vector<std::unique_ptr<Member>> runs_;
 };
