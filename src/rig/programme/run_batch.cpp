@@ -65,6 +65,7 @@ std::vector<RunBatch::Ended> RunBatch::advance()
 {
     auto const start = Clock::now();
     prepare();
+    seconds_of_looks_ += seconds_since(start);
     std::int64_t nearest = 0;
     for (auto const& member : runs_)
         if (member->to_look > 0)

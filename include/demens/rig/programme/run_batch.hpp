@@ -35,6 +35,7 @@ class RunBatch
     //! Advances all to the next look of some; gives those that are over. \throws std::bad_alloc, DeviceError:
     //! then all runs are lost
     std::vector<Ended> advance();
+    double seconds_of_looks() const { return seconds_of_looks_; } //!< in which the device did nothing
 
   private:
     struct Member;
@@ -45,6 +46,7 @@ class RunBatch
     dem::DeviceBatch& device_;
     std::unique_ptr<Crew> crew_; //!< who looks
     double wall_time_limit_;
+    double seconds_of_looks_ = 0;
     std::vector<std::unique_ptr<Member>> runs_;
 };
 
