@@ -3,6 +3,7 @@
 #include "src/dem/params.hpp"
 #include "tests/bench/replica.hpp"
 
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -67,7 +68,28 @@ struct Case
     double skin = 0, seconds = 5;
     std::string rolling = "epsd2";
     bool on_host = false;
+    std::int64_t digest = 0; //!< steps after which bits of the state are printed instead
 };
+
+//! Bits of a replica's places, motions and loads as one number.
+std::uint64_t digest(dem::cuda::Batch const& batch, std::uint32_t slot)
+{
+    dem::Particles const p = batch.read(slot);
+    std::uint64_t hash = 14695981039346656037u;
+    auto const add = [&](double value) {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 1099511628211u;
+    };
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        add(p.place[i].x), add(p.place[i].y), add(p.place[i].z);
+        add(p.motion[i].vx), add(p.motion[i].vy), add(p.motion[i].vz);
+        add(p.motion[i].wx), add(p.motion[i].wy), add(p.motion[i].wz);
+        add(p.load[i].fx), add(p.load[i].fy), add(p.load[i].fz);
+        add(p.load[i].tx), add(p.load[i].ty), add(p.load[i].tz);
+    }
+    for (auto const& load : batch.read_wall_loads(slot))
+        add(load.force.x), add(load.force.y), add(load.force.z);
+    return hash;
+}
 
 void run(bench::State const& one, Case const& c)
 {
@@ -76,6 +98,12 @@ void run(bench::State const& one, Case const& c)
                            c.replicas);
     for (std::uint32_t slot = 0; slot < c.replicas; ++slot)
         fill(batch, slot, state, c.skin, c.rolling);
+    if (c.digest > 0) {
+        batch.advance(std::vector<std::int64_t>(c.replicas, c.digest));
+        fmt::print("{} x {}, {} steps, {} searches: {:016x}\n", c.replicas, state.spheres.size(), c.digest,
+                   batch.rebuilds(0), digest(batch, c.replicas - 1));
+        return;
+    }
     std::vector<std::int64_t> steps(c.replicas, 200);
     batch.advance(steps); // histories, rooms, graphs
     std::uint32_t const rebuilds = batch.rebuilds(0);
@@ -136,6 +164,7 @@ int main(int argc, char** argv)
     app.add_option("--seconds", c.seconds);
     app.add_option("--rolling", c.rolling);
     app.add_flag("--on-host", c.on_host, "the same kernels as loops of this process");
+    app.add_option("--digest", c.digest, "bits of the state after so many steps");
     app.add_flag("--cpu", cpu, "the engine on one core");
     CLI11_PARSE(app, argc, argv);
     try {

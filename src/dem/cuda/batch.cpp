@@ -335,6 +335,8 @@ LawKernel Batch::law_kernel() const
         return LawKernel::hertz_mindlin;
     if (all_are(HertzMindlinEpsd2::are))
         return LawKernel::hertz_mindlin_epsd2;
+    if (all_are(HertzMindlinConstantTorque::are))
+        return LawKernel::hertz_mindlin_constant_torque;
     if (all_are(HertzRescale::are))
         return LawKernel::hertz_rescale;
     if (all_are(HertzRescaleEpsd2::are))

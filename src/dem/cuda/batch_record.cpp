@@ -9,7 +9,8 @@
 namespace demens::dem::cuda {
 namespace {
 
-//! Lists of a slot as the device has them: entry k of particle n at [k][n].
+//! Lists of a slot as the device has them: entry k of particle n at [k][n], or of neighbours, which come in
+//! fours, at [k / 4][4 * n + k % 4].
 using Rows = std::vector<std::vector<std::uint32_t>>;
 
 //! Where the histories of a slot lie: of each particle a number of entries of so many doubles.
@@ -48,10 +49,10 @@ SlotState Batch::save(std::uint32_t slot) const
     auto const of_set = [&]<class Number>(Number const* array) {
         return fetch(*device_, array + set * view_.all + first, count);
     };
-    auto const rows = [&](std::uint32_t const* array, std::uint32_t length) {
+    auto const rows = [&](std::uint32_t const* array, std::uint32_t length, std::size_t width = 1) {
         Rows all;
         for (std::uint32_t k = 0; k < length; ++k)
-            all.push_back(fetch(*device_, array + view_.at(set, length, k, first), count));
+            all.push_back(fetch(*device_, array + width * view_.at(set, length, k, first), width * count));
         return all;
     };
     state.seen = of_set(view_.seen);
@@ -59,14 +60,14 @@ SlotState Batch::save(std::uint32_t slot) const
     state.near_meshes = fetch(*device_, view_.near_meshes + first, count);
 
     HistoryPlace const pairs{room.neighbours, room.history};
-    auto const neighbour = rows(view_.neighbour, room.neighbours),
+    auto const neighbour = rows(view_.neighbour, room.neighbours / 4, 4),
                touching = rows(view_.touching, view_.words());
     auto const history = fetch(*device_, static_cast<double const*>(view_.history_of(set, first, 0)),
                                count * room.neighbours * room.history);
     for (std::size_t n = 0; n < count; ++n)
         for (std::uint32_t k = 0; k < state.neighbours[n]; ++k) {
             bool const touches = touching[k / bits_of_word][n] >> k % bits_of_word & 1;
-            state.neighbour.push_back(neighbour[k][n]), state.touching.push_back(touches);
+            state.neighbour.push_back(neighbour[k / 4][4 * n + k % 4]), state.touching.push_back(touches);
             if (touches)
                 state.history.insert(state.history.end(), history.data() + pairs.at(n, k),
                                      history.data() + pairs.at(n, k) + state.history_size);
@@ -132,11 +133,13 @@ void Batch::restore(std::uint32_t slot, SlotState const& state)
     auto const write_set = [&]<class Number>(Number* array, std::size_t of, std::vector<Number> const& from) {
         write(array + of * view_.all + first, from);
     };
-    auto const write_rows = [&](std::uint32_t* array, Rows const& rows) {
+    auto const write_rows = [&](std::uint32_t* array, Rows const& rows, std::size_t width = 1) {
         for (std::uint32_t k = 0; k < rows.size(); ++k)
-            write(array + view_.at(set, static_cast<std::uint32_t>(rows.size()), k, first), rows[k]);
+            write(array + width * view_.at(set, static_cast<std::uint32_t>(rows.size()), k, first), rows[k]);
     };
-    auto const zeros = [&](std::size_t length) { return Rows(length, std::vector<std::uint32_t>(count, 0)); };
+    auto const zeros = [&](std::size_t length, std::size_t width = 1) {
+        return Rows(length, std::vector<std::uint32_t>(width * count, 0));
+    };
     write_set(view_.place, r.current, state.particles.place);
     write_set(view_.motion, r.current, state.particles.motion);
     write_set(view_.load, 0, state.particles.load);
@@ -147,20 +150,20 @@ void Batch::restore(std::uint32_t slot, SlotState const& state)
     write_set(view_.near_meshes, 0, state.near_meshes);
 
     HistoryPlace const pairs{room.neighbours, room.history};
-    Rows neighbour = zeros(room.neighbours), touching = zeros(view_.words());
+    Rows neighbour = zeros(room.neighbours / 4, 4), touching = zeros(view_.words());
     std::vector<double> history(count * pairs.entries * pairs.stride);
     auto from = state.history.begin();
     std::size_t entry = 0;
     for (std::size_t n = 0; n < count; ++n)
         for (std::uint32_t k = 0; k < state.neighbours[n]; ++k, ++entry) {
-            neighbour[k][n] = state.neighbour[entry];
+            neighbour[k / 4][4 * n + k % 4] = state.neighbour[entry];
             if (state.touching[entry] == 0)
                 continue;
             touching[k / bits_of_word][n] |= 1u << k % bits_of_word;
             std::copy_n(from, state.history_size, history.data() + pairs.at(n, k));
             from += state.history_size;
         }
-    write_rows(view_.neighbour, neighbour), write_rows(view_.touching, touching);
+    write_rows(view_.neighbour, neighbour, 4), write_rows(view_.touching, touching);
     write(view_.history_of(set, first, 0), history);
 
     HistoryPlace const walls{room.walls, room.history + wall_numbers};

@@ -60,6 +60,15 @@ DEMENS_INLINE DEMENS_FUNCTION double number_of(std::uint64_t order)
     return value;
 }
 
+DEMENS_INLINE DEMENS_FUNCTION std::uint32_t number_of_bits(std::uint32_t bits)
+{
+#if defined(__CUDA_ARCH__)
+    return static_cast<std::uint32_t>(__popc(bits));
+#else
+    return static_cast<std::uint32_t>(std::popcount(bits));
+#endif
+}
+
 DEMENS_INLINE DEMENS_FUNCTION std::uint32_t lowest_bit(std::uint32_t bits)
 {
 #if defined(__CUDA_ARCH__)

@@ -15,7 +15,7 @@
 
 //! Blocks of the step kernel that a multiprocessor is to hold at once: bounds its registers.
 #if !defined(DEMENS_MIN_BLOCKS)
-#define DEMENS_MIN_BLOCKS 3
+#define DEMENS_MIN_BLOCKS 4
 #endif
 
 namespace demens::dem::cuda {
@@ -45,8 +45,9 @@ template <class Evaluate>
 __global__ void __launch_bounds__(block_size, DEMENS_MIN_BLOCKS)
     step_kernel(StepKernel<Evaluate> const kernel, std::uint32_t blocks_of_slot)
 {
-    std::uint32_t const slot = blockIdx.x / blocks_of_slot;
-    kernel(Where{slot, (blockIdx.x - slot * blocks_of_slot) * block_size + threadIdx.x});
+    __shared__ TeamQueue queue;
+    std::uint32_t const slot = blockIdx.x / blocks_of_slot, block = blockIdx.x - slot * blocks_of_slot;
+    kernel(BlockTeam{slot, block * team_size, threadIdx.x}, queue);
 }
 //! Lets the search that follows take place where it is wanted.
 __global__ void __launch_bounds__(block_size)

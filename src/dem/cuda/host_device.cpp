@@ -24,6 +24,14 @@ struct Loops
                 kernel(Where{slot, local});
     }
     template <class Kernel>
+    void over_teams(Kernel const& kernel) const
+    {
+        TeamQueue queue;
+        for (std::uint32_t slot = 0; slot < room.slots; ++slot)
+            for (std::uint32_t first = 0; first < room.particles; first += team_size)
+                kernel(HostTeam{slot, first}, queue);
+    }
+    template <class Kernel>
     void over_replicas(Kernel const& kernel) const
     {
         over(1, kernel);
@@ -61,7 +69,7 @@ class HostDevice final : public Device
             for (std::uint32_t k = 0; k < launches; ++k) {
                 if (view.room.has_outer_loads)
                     loops.over(view.room.particles, OuterKernel<Evaluate>{view});
-                loops.over(view.room.particles, StepKernel<Evaluate>{view});
+                loops.over_teams(StepKernel<Evaluate>{view});
                 bool wanted = false;
                 loops.over_replicas([&](Where const& where) { wanted |= Tick{view}(where); });
                 if (wanted)

@@ -57,6 +57,20 @@ struct KnownLaws
         contact::state_size<contact::RollingStage, contact::AnyRolling::Law<r>>(false), false);
 };
 
+//! Copies a history of so many doubles, two in one access: those of pairs begin where such pairs do, those of
+//! walls anywhere.
+template <contact::Partner partner, int size>
+DEMENS_INLINE DEMENS_FUNCTION void copy_history(double const* from, double* to)
+{
+    struct alignas(partner == contact::Partner::sphere ? 16 : 8) Two
+    {
+        double a, b;
+    };
+    static_assert(size % 2 == 0);
+    for (int k = 0; k < size / 2; ++k)
+        reinterpret_cast<Two*>(to)[k] = reinterpret_cast<Two const*>(from)[k];
+}
+
 //! A contact whose laws are known: its history is in registers meanwhile.
 template <class Laws>
 struct EvaluateKnown
@@ -68,14 +82,16 @@ struct EvaluateKnown
     {
         constexpr contact::StateLayout layout = Laws::layout;
         constexpr int size = layout.size > 0 ? layout.size : 1;
-        double own[size];
-        for (int k = 0; k < layout.size; ++k)
-            own[k] = is_new ? 0.0 : history[k];
+        alignas(16) double own[size];
+        if (is_new)
+            for (int k = 0; k < layout.size; ++k)
+                own[k] = 0;
+        else
+            copy_history<partner, layout.size>(history, own);
         Laws const laws(set);
         auto const outcome =
             contact::evaluate_contact<partner>(meeting, laws, layout, time_step, contact::HistoryRecord{own});
-        for (int k = 0; k < layout.size; ++k)
-            history[k] = own[k];
+        copy_history<partner, layout.size>(own, history);
         return outcome;
     }
 };
@@ -100,6 +116,9 @@ using HertzMindlin = KnownLaws<contact::NormalLaw::hertz, contact::TangentialLaw
                                contact::RollingLaw::none, contact::CohesionLaw::none>;
 using HertzMindlinEpsd2 = KnownLaws<contact::NormalLaw::hertz, contact::TangentialLaw::mindlin,
                                     contact::RollingLaw::epsd2, contact::CohesionLaw::none>;
+using HertzMindlinConstantTorque =
+    KnownLaws<contact::NormalLaw::hertz, contact::TangentialLaw::mindlin,
+              contact::RollingLaw::constant_torque, contact::CohesionLaw::none>;
 using HertzRescale = KnownLaws<contact::NormalLaw::hertz, contact::TangentialLaw::mindlin_rescale,
                                contact::RollingLaw::none, contact::CohesionLaw::none>;
 using HertzRescaleEpsd2 = KnownLaws<contact::NormalLaw::hertz, contact::TangentialLaw::mindlin_rescale,
@@ -111,6 +130,7 @@ enum class LawKernel
     any,
     hertz_mindlin,
     hertz_mindlin_epsd2,
+    hertz_mindlin_constant_torque,
     hertz_rescale,
     hertz_rescale_epsd2
 };
@@ -126,6 +146,8 @@ void with_evaluation(LawKernel kernel, Visitor&& visitor)
         return visitor(EvaluateKnown<HertzMindlin>{});
     case LawKernel::hertz_mindlin_epsd2:
         return visitor(EvaluateKnown<HertzMindlinEpsd2>{});
+    case LawKernel::hertz_mindlin_constant_torque:
+        return visitor(EvaluateKnown<HertzMindlinConstantTorque>{});
     case LawKernel::hertz_rescale:
         return visitor(EvaluateKnown<HertzRescale>{});
     case LawKernel::hertz_rescale_epsd2:

@@ -32,8 +32,7 @@ struct MoveParticle
             to.touching[to.at(set, to.words(), word, j)] = from.touching[from.at(set, from.words(), word, i)];
         std::uint32_t const count = from.neighbours[set * from.all + i];
         for (std::uint32_t k = 0; k < count && k < from.room.neighbours; ++k) {
-            to.neighbour[to.at(set, to.room.neighbours, k, j)] =
-                from.neighbour[from.at(set, from.room.neighbours, k, i)];
+            to.neighbour_at(set, j, k) = from.neighbour_at(set, i, k);
             for (std::uint32_t n = 0; n < from.room.history; ++n)
                 to.history_of(set, j, k)[n] = from.history_of(set, i, k)[n];
         }

@@ -65,7 +65,7 @@ struct FindNeighbours
                 double const near = here.radius + there.radius + r.reach;
                 if (x * x + y * y + z * z < near * near && j != where.local) {
                     if (count < v.room.neighbours)
-                        v.neighbour[v.at(now, v.room.neighbours, count, i)] = j;
+                        v.neighbour_at(now, i, count) = j;
                     ++count;
                 }
             }
@@ -108,10 +108,10 @@ struct FindNeighbours
             for (std::uint32_t left = v.touching[v.at(before, v.words(), word, old)]; left != 0;
                  left &= left - 1) {
                 std::uint32_t const from = word * bits_of_word + lowest_bit(left);
-                std::uint32_t const old_j = v.neighbour[v.at(before, v.room.neighbours, from, old)];
+                std::uint32_t const old_j = v.neighbour_at(before, old, from);
                 std::uint32_t const j = v.new_index[first + old_j];
                 std::uint32_t k = 0;
-                while (k < count && v.neighbour[v.at(now, v.room.neighbours, k, i)] != j)
+                while (k < count && v.neighbour_at(now, i, k) != j)
                     ++k;
                 if (k == count)
                     continue; // it has gone too far within this step

@@ -1,129 +1,127 @@
 #pragma once
 
-#include "src/dem/cuda/bits.hpp"
-#include "src/dem/cuda/known_laws.hpp"
+#include "src/dem/cuda/pair_kernel.hpp"
+#include "src/dem/cuda/team_queue.hpp"
 #include "src/dem/cuda/wall_kernel.hpp"
 
 namespace demens::dem::cuda {
 
-//! One particle, one step: the loads of all its contacts, in the order of its list, and its motion.
+//! Particles of a team, one step: the loads of all their contacts, each in the order of its list, and their
+//! motion.
 //!
 //! Each contact is evaluated by both of its particles, from the same numbers in the same order of the two, so
-//! that they agree bit for bit on force and history, and nobody waits for anybody. What others read (places,
-//! motions) is written to the other set.
+//! that they agree bit for bit on force and history, and no team waits for another. What others read (places,
+//! motions) is written to the other set. Particles have unlike numbers of contacts: a team deals all that it
+//! has to its lanes, and each particle then adds up its own, in order.
 template <class Evaluate>
 struct StepKernel
 {
     View v;
 
-    DEMENS_FUNCTION void operator()(Where const& where) const
+    template <class Team>
+    DEMENS_FUNCTION void operator()(Team const& team, TeamQueue& queue) const
     {
-        Replica& r = v.replica[where.slot];
+        Replica& r = v.replica[team.slot];
         Phase const phase = r.phase;
-        if (phase == Phase::rest || where.local >= r.particles)
+        if (phase == Phase::rest)
             return;
-        std::uint64_t const first = v.first_of(where.slot), i = first + where.local;
-        std::uint64_t const set = r.current * v.all;
-        Place const here = v.place[set + i];
-        Motion const motion = v.motion[set + i];
-        Load load;
+        std::uint64_t const first = v.first_of(team.slot) + team.first;
+        typename Team::template Own<Load> load;
         if (phase == Phase::move) {
-            load = v.load[i];
+            team.each([&](std::uint32_t lane) { load[lane] = v.load[first + lane]; });
         } else {
-            load = r.has_outer_loads ? v.load[i] : Load{};
-            add_pairs(r, where, first, here, motion, load);
-            if (v.near_walls[r.sorted * v.all + i] > 0)
-                add_walls<Evaluate>(v, r, where.slot, i, here, motion, load);
+            team.each(
+                [&](std::uint32_t lane) { load[lane] = r.has_outer_loads ? v.load[first + lane] : Load{}; });
+            add_pairs(team, queue, r, load);
+            deal_walls(team, queue, r, load);
         }
-        if (phase == Phase::load)
-            keep(r, i, motion, load);
-        else
-            move(r, i, here, motion, load);
+        std::uint64_t const set = r.current * v.all;
+        team.each([&](std::uint32_t lane) {
+            if (team.first + lane >= r.particles)
+                return;
+            std::uint64_t const i = first + lane;
+            if (phase == Phase::load)
+                keep(r, i, v.motion[set + i], load[lane]);
+            else
+                move(r, i, v.place[set + i], v.motion[set + i], load[lane]);
+        });
     }
 
   private:
-    DEMENS_FUNCTION void add_pairs(Replica& r, Where const& where, std::uint64_t first, Place const& here,
-                                   Motion const& motion, Load& load) const
+    //! Of all pairs, in rounds of as many as the queue has room for.
+    template <class Team, class Loads>
+    DEMENS_INLINE DEMENS_FUNCTION void add_pairs(Team const& team, TeamQueue& queue, Replica& r,
+                                                 Loads& load) const
     {
-        std::uint64_t const i = first + where.local, set = r.current * v.all;
-        std::uint32_t const sorted = r.sorted;
-        std::uint32_t const count = v.neighbours[sorted * v.all + i];
-        contact::LawSet const* const laws = v.laws + std::uint64_t{where.slot} * v.room.laws;
-        contact::Range const* const ranges = v.ranges + std::uint64_t{where.slot} * v.room.laws;
-        bool const periodic = r.periods.any();
-        bool const one_material = r.materials == 1;
-        std::uint32_t const material = one_material ? 0 : v.material[sorted * v.all + i];
-        for (std::uint32_t from = 0; from < count; from += bits_of_word) {
-            std::uint32_t const word = from / bits_of_word;
-            std::uint32_t& bits = v.touching[v.at(sorted, v.words(), word, i)];
-            std::uint32_t const old = bits;
-            std::uint32_t const end = count - from < bits_of_word ? count - from : bits_of_word;
-            std::uint32_t now = 0;
-            for (std::uint32_t k = 0; k < end; ++k) {
-                std::uint32_t const j = v.neighbour[v.at(sorted, v.room.neighbours, from + k, i)];
-                Place const there = v.place[set + first + j];
-                Vector3 const apart = difference(r, periodic, here, there);
-                std::uint32_t const law = one_material ? 0 : law_of(where, sorted, first, material, j);
-                double const reach = here.radius + there.radius + ranges[law].reach(old >> k & 1);
-                now |= static_cast<std::uint32_t>(norm_squared(apart) < reach * reach) << k;
+        typename Team::template Own<WordOfContacts> found;
+        typename Team::template Own<std::uint32_t> place; // in the queue, of the first
+        for (std::uint32_t word = 0; word < v.words(); ++word) {
+            team.each([&](std::uint32_t lane) {
+                found[lane] = find_contacts(v, r, {team.slot, team.first + lane}, word);
+                place[lane] = number_of_bits(found[lane].touching);
+            });
+            std::uint32_t const count = team.add_up(place);
+            for (std::uint32_t from = 0; from < count; from += queue.room) {
+                std::uint32_t const end = count - from < queue.room ? count - from : queue.room;
+                team.each([&](std::uint32_t lane) {
+                    std::uint32_t at = place[lane] - from; // in earlier rounds: beyond the end
+                    for (std::uint32_t left = found[lane].touching; left != 0; left &= left - 1, ++at)
+                        if (at < end) {
+                            std::uint32_t const k = lowest_bit(left);
+                            queue.contact[at] = QueuedContact::of(lane, k, found[lane].made >> k & 1);
+                        }
+                });
+                team.deal(end, [&](std::uint32_t at) {
+                    QueuedContact const c = queue.contact[at];
+                    queue.keep(at, evaluate_pair<Evaluate>(v, r, {team.slot, team.first + c.lane()},
+                                                           word * bits_of_word + c.entry(), c.is_new()));
+                });
+                team.each([&](std::uint32_t lane) {
+                    std::uint32_t at = place[lane] - from;
+                    for (std::uint32_t left = number_of_bits(found[lane].touching); left != 0; --left, ++at)
+                        if (at < end)
+                            add(load[lane], queue.load_of(at));
+                });
             }
-            for (std::uint32_t left = now; left != 0; left &= left - 1) {
-                std::uint32_t const k = lowest_bit(left);
-                std::uint32_t const j = v.neighbour[v.at(sorted, v.room.neighbours, from + k, i)];
-                std::uint32_t const law = one_material ? 0 : law_of(where, sorted, first, material, j);
-                add_pair(r, laws[law], v.layouts[std::uint64_t{where.slot} * v.room.laws + law],
-                         {where.local < j, periodic, !(old >> k & 1)}, here, motion, v.place[set + first + j],
-                         v.motion[set + first + j], v.history_of(sorted, i, from + k), load);
-            }
-            if (now != old)
-                bits = now;
         }
     }
 
-    struct How
+    //! Of walls: few particles are near any, so that those are gathered and dealt to as few warps as can be.
+    template <class Team, class Loads>
+    DEMENS_INLINE DEMENS_FUNCTION void deal_walls(Team const& team, TeamQueue& queue, Replica& r,
+                                                  Loads& load) const
     {
-        bool is_first, periodic, is_new;
-    };
-    DEMENS_INLINE DEMENS_FUNCTION void add_pair(Replica& r, contact::LawSet const& laws,
-                                                contact::StateLayout const& layout, How const& how,
-                                                Place const& here, Motion const& motion, Place const& there,
-                                                Motion const& other, double* history, Load& load) const
-    {
-        // The particle with the lower number comes first, whoever of the two computes.
-        contact::Sphere const me = sphere(here, motion), it = sphere(there, other);
-        Vector3 const apart = difference(r, how.periodic, here, there);
-        contact::Meeting const meeting =
-            how.is_first ? contact::meeting(me, it, apart) : contact::meeting(it, me, -apart);
-        auto const outcome = Evaluate::template evaluate<contact::Partner::sphere>(
-            meeting, laws, layout, r.time_step, history, how.is_new);
-        if (overlap_excess(meeting, outcome.geometry.overlap, r.overlap_limit) > 0)
-            r.overlapping = 1;
-        auto const& f = outcome.loads.force;
-        auto const& torque = how.is_first ? outcome.loads.torque_i : outcome.loads.torque_j;
-        double const sign = how.is_first ? 1.0 : -1.0;
-        load.fx += sign * f.x, load.fy += sign * f.y, load.fz += sign * f.z;
-        load.tx += torque.x, load.ty += torque.y, load.tz += torque.z;
+        std::uint64_t const first = v.first_of(team.slot) + team.first, set = r.current * v.all;
+        typename Team::template Own<std::uint32_t> near, place;
+        team.each([&](std::uint32_t lane) {
+            near[lane] = team.first + lane < r.particles && v.near_walls[r.sorted * v.all + first + lane] > 0;
+            place[lane] = near[lane];
+        });
+        std::uint32_t const count = team.add_up(place);
+        if (count == 0)
+            return;
+        team.each([&](std::uint32_t lane) {
+            if (near[lane]) {
+                queue.contact[place[lane]] = QueuedContact::of(lane, 0, false);
+                queue.keep(place[lane], load[lane]);
+            }
+        });
+        team.deal(count, [&](std::uint32_t k) {
+            std::uint64_t const i = first + queue.contact[k].lane();
+            Load sum = queue.load_of(k);
+            add_walls<Evaluate>(v, r, team.slot, i, v.place[set + i], v.motion[set + i], sum);
+            queue.keep(k, sum);
+        });
+        team.each([&](std::uint32_t lane) {
+            if (near[lane])
+                load[lane] = queue.load_of(place[lane]);
+        });
     }
 
-    DEMENS_INLINE DEMENS_FUNCTION static Vector3 difference(Replica const& r, bool periodic, Place const& a,
-                                                            Place const& b)
+    DEMENS_INLINE DEMENS_FUNCTION static void add(Load& sum, Load const& l)
     {
-        Vector3 apart{a.x - b.x, a.y - b.y, a.z - b.z};
-        if (periodic) {
-            apart.x = nearest_image(apart.x, r.periods.x.length(), r.periods.x.half());
-            apart.y = nearest_image(apart.y, r.periods.y.length(), r.periods.y.half());
-        }
-        return apart;
-    }
-
-    //! The law set of this particle and particle j of the replica.
-    DEMENS_INLINE DEMENS_FUNCTION std::uint32_t law_of(Where const& where, std::uint32_t sorted,
-                                                       std::uint64_t first, std::uint32_t material,
-                                                       std::uint32_t j) const
-    {
-        std::uint32_t const other = v.material[sorted * v.all + first + j];
-        std::uint32_t const a = where.local < j ? material : other, b = where.local < j ? other : material;
-        return v.interaction[(std::uint64_t{where.slot} * v.room.materials + a) * v.room.materials + b];
+        sum.fx += l.fx, sum.fy += l.fy, sum.fz += l.fz;
+        sum.tx += l.tx, sum.ty += l.ty, sum.tz += l.tz;
     }
 
     DEMENS_INLINE DEMENS_FUNCTION void keep(Replica& r, std::uint64_t i, Motion const& m,

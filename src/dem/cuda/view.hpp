@@ -42,6 +42,12 @@ constexpr std::uint32_t whole_words(std::uint32_t entries)
 //! A contact with a wall keeps beside its history where it was and what acts on the sphere.
 constexpr std::uint32_t wall_offset_at = 0, wall_force_at = 3, wall_torque_at = 6, wall_numbers = 9;
 
+//! Numbers of four neighbours that follow one another in a list.
+struct alignas(16) FourNeighbours
+{
+    std::uint32_t number[4];
+};
+
 //! Where everything is: arrays on the device, one behind the other for all slots. Of what is sorted, or
 //! written while it is read, there are two sets; the second lies `all` further on.
 struct View
@@ -59,7 +65,7 @@ struct View
     // 2 x all, or so many for each particle
     std::uint32_t *material, *id;
     std::uint32_t* neighbours;     //!< how many
-    std::uint32_t* neighbour;      //!< number k of particle i at k * all + i
+    std::uint32_t* neighbour;      //!< where `neighbour_at` says: fours of each particle, those of all
     std::uint32_t* touching;       //!< a bit each
     double* history;               //!< of each particle one after another
     std::uint32_t* near_walls;     //!< how many
@@ -99,6 +105,18 @@ struct View
                                      std::uint64_t particle) const
     {
         return (set * length + k) * all + particle;
+    }
+    //! Neighbour k of a particle: four follow one another, so that one access reads them.
+    DEMENS_FUNCTION std::uint32_t& neighbour_at(std::uint64_t set, std::uint64_t particle,
+                                                std::uint32_t k) const
+    {
+        return neighbour[4 * at(set, room.neighbours / 4, k / 4, particle) + k % 4];
+    }
+    //! Neighbours k to k + 3, where k is a multiple of four.
+    DEMENS_FUNCTION FourNeighbours const& four_neighbours_at(std::uint64_t set, std::uint64_t particle,
+                                                             std::uint32_t k) const
+    {
+        return reinterpret_cast<FourNeighbours const&>(neighbour_at(set, particle, k));
     }
     //! Where the particles of a slot begin.
     DEMENS_FUNCTION std::uint64_t first_of(std::uint32_t slot) const

@@ -77,6 +77,41 @@ TEST_F(CudaEngine, HasAllLaws)
         }
 }
 
+TEST_F(CudaEngine, AddsUpMoreContactsThanAQueueHasRoomFor)
+{
+    // A lattice: 3 * 6 * 6 * 5 contacts, so that the first 128 of 216 spheres have 640 of the 1,080 ends.
+    using contact::RollingLaw, contact::TangentialLaw;
+    for (auto const tangential : {TangentialLaw::mindlin, TangentialLaw::mindlin_rescale})
+        for (auto const rolling : {RollingLaw::none, RollingLaw::constant_torque, RollingLaw::epsd2}) {
+            contact::Model const model = powder(tangential, rolling);
+            Simulation here(model, on(EngineKind::cpu)), there(model, on(kind()));
+            for (Simulation* simulation : {&here, &there}) {
+                RandomStream random(7);
+                BodyBatch bodies;
+                for (int k = 0; k < 216; ++k)
+                    bodies.push_back(
+                        {.position =
+                             1.98 * radius * Vector3{double(k % 6), double(k / 6 % 6), double(k / 36)},
+                         .radius = radius,
+                         .velocity = {random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), 0},
+                         .spin = {random.uniform(-50, 50), 0, random.uniform(-50, 50)}});
+                simulation->add(bodies);
+                simulation->advance(0);
+                EXPECT_EQ(simulation->counts().contacts, 540);
+                simulation->advance(10);
+                EXPECT_GT(simulation->counts().contacts, 500);
+            }
+            auto const a = spheres(here), b = spheres(there);
+            EXPECT_LT(largest_distance(a, b), 1e-12 * radius);
+            double largest = 0, off = 0;
+            for (std::size_t k = 0; k < a.size(); ++k) {
+                largest = std::max(largest, norm(a[k].force));
+                off = std::max(off, norm(a[k].force - b[k].force));
+            }
+            EXPECT_LT(off, 1e-10 * largest);
+        }
+}
+
 TEST_F(CudaEngine, CrossesPeriodsAndFollowsMovingWalls)
 {
     auto const set_up = [&](EngineKind engine) {
