@@ -16,12 +16,10 @@ enum class EngineChoice : std::uint8_t
     automatic     //!< a CUDA device where there is one that can do the run, else the CPU
 };
 
-struct Apparatus; // programme/programme.hpp
-
-//! What an apparatus has that only the CPU's engine can do, in words; empty: nothing.
-std::string needs_cpu(Apparatus const& apparatus, bool with_team);
+//! What a run needs that only the CPU's engine can do, in words; empty: nothing.
+std::string needs_cpu(bool with_team);
 //! \throws InputError where the engine that is asked for cannot do it.
-dem::EngineKind chosen_engine(EngineChoice choice, Apparatus const& apparatus, bool with_team);
+dem::EngineKind chosen_engine(EngineChoice choice, bool with_team);
 
 } // namespace demens::rig
 

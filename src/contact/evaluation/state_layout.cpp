@@ -1,4 +1,4 @@
-#include "demens/contact/evaluation/state_layout.hpp"
+#include "demens/contact/evaluation/stored_energy.hpp"
 
 namespace demens::contact {
 namespace {
@@ -21,15 +21,7 @@ StateLayout state_layout(LawSet const& laws, bool ledger)
 
 StoredEnergy stored_energy(LawSet const& laws, StateLayout const& layout, double const* state)
 {
-    auto const after = [&](int at, auto const& any) {
-        return any.visit([&]<class Law>(Law const&) {
-            return std::is_same_v<Law, NoLaw> ? 0.0 : state[at + Law::state_scalars];
-        });
-    };
-    return {.normal = after(layout.normal + 1, laws.normal),
-            .tangential = after(layout.tangential, laws.tangential),
-            .rolling = after(layout.rolling, laws.rolling),
-            .cohesive = after(layout.cohesion, laws.cohesion) + after(layout.added, laws.added)};
+    return stored_energy_in(laws, layout, state);
 }
 
 } // namespace demens::contact

@@ -2,6 +2,7 @@
 
 #include "src/dem/cpu/energy_sums.hpp"
 #include "src/dem/cpu/surrounding_loads.hpp"
+#include "src/dem/particle_energy.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -25,14 +26,8 @@ class EnergyMeter final : public EnergyAccounts
     {
         if (state.steps_done == 0)
             return; // counts from the beginning
-        Motion const& m = state.particles.motion.back();
-        Place const& p = state.particles.place.back();
-        // As the ledger sees it: the product of the velocities before and after the kick at this place.
-        Vector3 const before{m.vx, m.vy, m.vz};
-        Vector3 const after = before + params.options.time_step * params.options.gravity;
         state.tally.brought_in +=
-            m.mass * (0.5 * dot(before, after) - dot(params.options.gravity, Vector3{p.x, p.y, p.z})) +
-            0.5 * m.inertia * norm_squared(Vector3{m.wx, m.wy, m.wz});
+            energy_on_entry(state.particles.place.back(), state.particles.motion.back(), params.options);
     }
 
     // Places that jump by a period and contacts with walls that are no longer there change the energy.

@@ -1,6 +1,7 @@
 #include "src/dem/cpu/energy_sums.hpp"
 
 #include "src/dem/motion_readings.hpp"
+#include "src/dem/particle_energy.hpp"
 
 namespace demens::dem {
 
@@ -16,13 +17,7 @@ double kinetic_energy(Params const& params, State const& state)
 
 double potential_energy(Params const& params, State const& state)
 {
-    Particles const& particles = state.particles;
-    double energy = 0;
-    for (std::size_t k = 0; k < particles.owned(); ++k) {
-        Place const& p = particles.place[k];
-        energy -= particles.motion[k].mass * dot(params.options.gravity, Vector3{p.x, p.y, p.z});
-    }
-    return energy;
+    return potential_energy(state.particles, params.options.gravity);
 }
 
 contact::StoredEnergy stored_energy(Params const& params, ContactLists const& contacts)
@@ -42,20 +37,7 @@ contact::StoredEnergy stored_energy(Params const& params, ContactLists const& co
 EnergyLedger present_energy(Params const& params, State const& state)
 {
     EnergyLedger ledger;
-    CatchUp const now = catch_up(params, state);
-    double const half = 0.5 * params.options.time_step;
-    Particles const& particles = state.particles;
-    for (std::size_t k = 0; k < particles.owned(); ++k) {
-        // The velocities before and after the kick at this place are v - half a and v + half a.
-        Motion const& m = particles.motion[k];
-        Load const& l = particles.load[k];
-        Vector3 const change = half * (Vector3{l.fx, l.fy, l.fz} / m.mass + params.options.gravity);
-        Vector3 const turn = half / m.inertia * Vector3{l.tx, l.ty, l.tz};
-        ledger.kinetic_translation +=
-            0.5 * m.mass * (norm_squared(now.velocity(m, l)) - norm_squared(change));
-        ledger.kinetic_rotation += 0.5 * m.inertia * (norm_squared(now.spin(m, l)) - norm_squared(turn));
-    }
-    ledger.potential = potential_energy(params, state);
+    add_particles(ledger, state.particles, params.options, catch_up(params, state));
     contact::StoredEnergy const stored = stored_energy(params, state.contacts);
     ledger.elastic_normal = stored.normal;
     ledger.elastic_tangential = stored.tangential;

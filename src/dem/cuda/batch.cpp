@@ -73,9 +73,6 @@ void Batch::begin(std::uint32_t slot, std::shared_ptr<Params const> params)
     HostReplica& replica = replicas_[slot];
     DEMENS_EXPECT(replica.device.status == Status::empty, "an empty slot");
     SimulationOptions const& options = params->options;
-    if (options.energy_ledger)
-        throw InputError("the engine \"cuda\" keeps no energy ledger; use the engine \"cpu\", or leave the "
-                         "ledger out");
     if (options.team)
         throw InputError("the engine \"cuda\" has a simulation on one device, not on several ranks");
     replica = HostReplica{};
@@ -150,6 +147,7 @@ Room Batch::room_for_all() const
             room.history = std::max(room.history, static_cast<std::uint32_t>(layout.size));
         room.walls = std::max(room.walls, replica.device.mesh_slots);
         room.has_outer_loads = room.has_outer_loads || replica.device.has_outer_loads;
+        room.has_ledger = room.has_ledger || replica.params->options.energy_ledger;
         auto const number = static_cast<std::uint32_t>(replica.walls.size());
         room.wall_table =
             std::max(room.wall_table, number * (may_move(replica.walls) ? rows_of_block + 1 : 1));
@@ -278,6 +276,8 @@ void Batch::write_waiting(std::uint32_t slot)
     write(view_.neighbours, replica.device.sorted, none);
     write(view_.near_walls, replica.device.sorted, none);
     write(view_.touching_walls, replica.device.sorted, none);
+    if (view_.room.has_ledger)
+        write(view_.tallies, 0, std::vector<Tally>(count));
     replica.device.particles += static_cast<std::uint32_t>(count);
     waiting = {};
 }
@@ -321,6 +321,9 @@ void Batch::forget_contacts(std::uint32_t slot)
     std::size_t const at = replica.device.sorted * view_.all + std::size_t{slot} * view_.room.particles;
     for (auto* const where : {view_.neighbours, view_.near_walls, view_.touching_walls})
         device_->write(where + at, none.data(), none.size() * sizeof none[0]);
+    std::vector<Tally> const nothing(view_.room.has_ledger ? replica.device.particles : 0);
+    device_->write(view_.tallies + std::size_t{slot} * view_.room.particles, nothing.data(),
+                   nothing.size() * sizeof(Tally));
 }
 
 LawKernel Batch::law_kernel() const
@@ -346,6 +349,7 @@ LawKernel Batch::law_kernel() const
 
 void Batch::run_block(std::span<std::uint32_t const> steps)
 {
+    begin_ledgers(steps);
     find_outer_loads();
     make_room(room_for_all());
     write_tables();
@@ -434,6 +438,8 @@ void Batch::run_block(std::span<std::uint32_t const> steps)
         replica.steps_done += records[slot].step;
         replica.loads_are_known = true;
         replica.stale = records[slot].stale != 0;
+        if (replica.params->options.energy_ledger && replica.steps_done == 0)
+            replica.brought_in = present_energy(slot).gap();
     }
 }
 

@@ -68,6 +68,11 @@ class Batch
     };
     Contacts count_contacts(std::uint32_t slot) const;
 
+    //! All energy as of the last step; the simulation must have been begun with the ledger.
+    EnergyLedger energy(std::uint32_t slot);
+    //! Notes energy that came in with a particle [J].
+    void bring_in(std::uint32_t slot, double energy) { replicas_[slot].brought_in += energy; }
+
     //! A slot that another one goes on from, with the same bits.
     SlotState save(std::uint32_t slot) const;
     //! Into a slot in which a simulation has begun, and nothing has been added.
@@ -84,6 +89,7 @@ class Batch
         double wall_path = 0; //!< since the start [m]
         std::int64_t steps_done = 0;
         bool loads_are_known = false, stale = true;
+        double brought_in = 0, turned_over = 0; //!< with the ledger [J]
     };
     struct Arrays;
 
@@ -100,6 +106,9 @@ class Batch
     void run_block(std::span<std::uint32_t const> steps);
     void write_walls();
     void forget_contacts(std::uint32_t slot);
+    //! Finds the loads at the beginning of simulations with a ledger, which counts from there.
+    void begin_ledgers(std::span<std::uint32_t const> steps);
+    EnergyLedger present_energy(std::uint32_t slot) const;
     LawKernel law_kernel() const;
 
     std::unique_ptr<Device> device_;

@@ -50,6 +50,7 @@ struct Batch::Arrays
     DeviceArray<std::uint32_t> material, id, neighbours, neighbour, touching, near_walls, near_wall,
         touching_walls, near_meshes, cell_of, place_in_cell, bucket, new_index, old_index, cell_start, sums,
         sums_of_sums, interaction;
+    DeviceArray<Tally> tallies;
     DeviceArray<double> history, wall_history, wall_paths;
     DeviceArray<std::byte> laws, layouts, ranges, walls, facets, nodes, orders;
 
@@ -81,6 +82,7 @@ struct Batch::Arrays
         view.near_wall = make(near_wall, 2 * all * room.walls);
         view.touching_walls = make(touching_walls, 2 * all);
         view.near_meshes = make(near_meshes, all);
+        view.tallies = make(tallies, room.has_ledger ? all : 0);
         view.wall_history = make(wall_history, 2 * all * room.walls * (room.history + wall_numbers));
         view.cell_of = make(cell_of, all);
         view.place_in_cell = make(place_in_cell, all);

@@ -3,6 +3,7 @@
 #include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
 #include "src/dem/motion_readings.hpp"
+#include "src/dem/particle_energy.hpp"
 #include "src/dem/record_fit.hpp"
 
 #include <algorithm>
@@ -55,9 +56,11 @@ void BatchEngine::add(Body const& body, Vector3 const& v)
     materials_.bodies_enter(batch_->params(slot_), body.material, 1, walls());
     double const mass = batch_->params(slot_).materials[body.material.value].density * 4.0 / 3.0 *
                         std::numbers::pi * r * r * r;
-    batch_->add(slot_, {body.position.x, body.position.y, body.position.z, r},
-                {v.x, v.y, v.z, mass, body.spin.x, body.spin.y, body.spin.z, 0.4 * mass * r * r},
-                body.material);
+    Place const place{body.position.x, body.position.y, body.position.z, r};
+    Motion const motion{v.x, v.y, v.z, mass, body.spin.x, body.spin.y, body.spin.z, 0.4 * mass * r * r};
+    batch_->add(slot_, place, motion, body.material);
+    if (options().energy_ledger && steps_done() > 0)
+        batch_->bring_in(slot_, energy_on_entry(place, motion, options()));
     ++added_;
     read_at_ = -1;
 }
@@ -135,8 +138,13 @@ Health BatchEngine::health()
                         "for: use the engine \"cpu\"",
                         most_near_walls, most_mesh_contacts));
     default:
-        return leaping ? Health::leaping : overlapping ? Health::overlapping : Health::good;
+        break;
     }
+    if (leaping || overlapping)
+        return leaping ? Health::leaping : Health::overlapping;
+    bool const balanced =
+        !options().energy_ledger || std::abs(energy().closure_error()) <= options().closure_limit;
+    return balanced ? Health::good : Health::unbalanced;
 }
 
 StateView BatchEngine::read(Fields fields)
@@ -157,7 +165,7 @@ double BatchEngine::kinetic_energy()
 
 EnergyLedger BatchEngine::energy()
 {
-    throw InputError("the engine \"cuda\" keeps no energy ledger");
+    return batch_->energy(slot_);
 }
 
 Counts BatchEngine::counts()

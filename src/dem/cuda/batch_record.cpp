@@ -43,8 +43,11 @@ SlotState Batch::save(std::uint32_t slot) const
     state.steps_done = replica.steps_done, state.walls = replica.walls;
     for (auto const& laws : replica.params->laws)
         state.gaps.push_back(contact::range_of(laws, replica.largest_radius).gap);
+    state.brought_in = replica.brought_in, state.turned_over = replica.turned_over;
     if (count == 0)
         return state;
+    if (replica.params->options.energy_ledger)
+        state.tallies = fetch(*device_, static_cast<Tally const*>(view_.tallies) + first, count);
 
     auto const of_set = [&]<class Number>(Number const* array) {
         return fetch(*device_, array + set * view_.all + first, count);
@@ -107,6 +110,7 @@ void Batch::restore(std::uint32_t slot, SlotState const& state)
     replica.loads_are_known = state.loads_are_known, replica.stale = state.stale;
     replica.steps_done = state.steps_done, replica.walls = state.walls;
     replica.waiting = state.waiting;
+    replica.brought_in = state.brought_in, replica.turned_over = state.turned_over;
     for (Particles const* some : {&state.particles, &state.waiting})
         for (Place const& place : some->place)
             replica.largest_radius = std::max(replica.largest_radius, place.radius);
@@ -148,6 +152,8 @@ void Batch::restore(std::uint32_t slot, SlotState const& state)
     write_set(view_.seen, set, state.seen);
     write_set(view_.neighbours, set, state.neighbours), write_set(view_.near_walls, set, state.near_walls);
     write_set(view_.near_meshes, 0, state.near_meshes);
+    if (!state.tallies.empty())
+        write_set(view_.tallies, 0, state.tallies);
 
     HistoryPlace const pairs{room.neighbours, room.history};
     Rows neighbour = zeros(room.neighbours / 4, 4), touching = zeros(view_.words());

@@ -1,8 +1,7 @@
 #include "src/dem/cuda/device.hpp"
+#include "src/dem/cuda/kernels_of_step.hpp"
 #include "src/dem/cuda/move_kernel.hpp"
-#include "src/dem/cuda/outer_kernel.hpp"
 #include "src/dem/cuda/search_kernels.hpp"
-#include "src/dem/cuda/step_kernel.hpp"
 
 #include <cstddef>
 #include <cstdlib>
@@ -41,9 +40,9 @@ __global__ void __launch_bounds__(block_size) over_replicas(Kernel const kernel,
     if (slot < slots)
         kernel(Where{slot, 0});
 }
-template <class Evaluate>
+template <class Kernel>
 __global__ void __launch_bounds__(block_size, DEMENS_MIN_BLOCKS)
-    step_kernel(StepKernel<Evaluate> const kernel, std::uint32_t blocks_of_slot)
+    step_kernel(Kernel const kernel, std::uint32_t blocks_of_slot)
 {
     __shared__ TeamQueue queue;
     std::uint32_t const slot = blockIdx.x / blocks_of_slot, block = blockIdx.x - slot * blocks_of_slot;
@@ -70,12 +69,13 @@ __global__ void __launch_bounds__(block_size)
 //! The step kernel for these laws, and the one before it where it is needed.
 void launch_step(View const& view, LawKernel laws, cudaStream_t stream)
 {
-    with_evaluation(laws, [&]<class Evaluate>(Evaluate) {
+    with_kernels(view, laws, [&](auto const& step, auto const& outer) {
         std::uint32_t const blocks = view.room.particles / block_size;
         if (view.room.has_outer_loads)
-            over_slots<<<view.room.slots * blocks, block_size, 0, stream>>>(OuterKernel<Evaluate>{view},
-                                                                            blocks);
-        step_kernel<<<view.room.slots * blocks, block_size, 0, stream>>>(StepKernel<Evaluate>{view}, blocks);
+            over_slots<<<view.room.slots * blocks, block_size, 0, stream>>>(outer, blocks);
+        if (view.room.has_ledger)
+            over_slots<<<view.room.slots * blocks, block_size, 0, stream>>>(TallyPairs{view}, blocks);
+        step_kernel<<<view.room.slots * blocks, block_size, 0, stream>>>(step, blocks);
         require(cudaGetLastError());
     });
 }

@@ -26,8 +26,14 @@ struct FindBounds
             return;
         Place& p = v.place[r.current * v.all + v.first_of(where.slot) + where.local];
         if (r.periods.any()) {
+            Place const before = p;
             p.x = r.periods.x.wrapped(p.x);
             p.y = r.periods.y.wrapped(p.y);
+            if (v.room.has_ledger && step_of(r) > 0) { // a jump in gravity brings energy in
+                std::uint64_t const i = v.first_of(where.slot) + where.local;
+                v.tallies[i].brought_in -= v.motion[r.current * v.all + i].mass *
+                                           (r.gravity.x * (p.x - before.x) + r.gravity.y * (p.y - before.y));
+            }
         }
         if (!(p.x >= r.lower.x && p.y >= r.lower.y && p.z >= r.lower.z && p.x <= r.upper.x &&
               p.y <= r.upper.y && p.z <= r.upper.z)) {

@@ -1,8 +1,7 @@
 #include "src/dem/cuda/device.hpp"
+#include "src/dem/cuda/kernels_of_step.hpp"
 #include "src/dem/cuda/move_kernel.hpp"
-#include "src/dem/cuda/outer_kernel.hpp"
 #include "src/dem/cuda/search_kernels.hpp"
-#include "src/dem/cuda/step_kernel.hpp"
 
 #include <cstdlib>
 #include <cstring>
@@ -65,11 +64,13 @@ class HostDevice final : public Device
         Loops const loops{view.room};
         if (search_first)
             search(view, loops);
-        with_evaluation(laws, [&]<class Evaluate>(Evaluate) {
+        with_kernels(view, laws, [&](auto const& step, auto const& outer) {
             for (std::uint32_t k = 0; k < launches; ++k) {
                 if (view.room.has_outer_loads)
-                    loops.over(view.room.particles, OuterKernel<Evaluate>{view});
-                loops.over_teams(StepKernel<Evaluate>{view});
+                    loops.over(view.room.particles, outer);
+                if (view.room.has_ledger)
+                    loops.over(view.room.particles, TallyPairs{view});
+                loops.over_teams(step);
                 bool wanted = false;
                 loops.over_replicas([&](Where const& where) { wanted |= Tick{view}(where); });
                 if (wanted)

@@ -15,6 +15,8 @@ struct MoveParticle
         std::uint64_t const j = to.first_of(where.slot) + where.local;
         to.load[j] = from.load[i];
         to.near_meshes[j] = from.near_meshes[i];
+        if (from.room.has_ledger)
+            to.tallies[j] = from.tallies[i];
         for (std::uint64_t set = 0; set < 2; ++set) {
             std::uint64_t const a = set * from.all + i, b = set * to.all + j;
             to.place[b] = from.place[a];

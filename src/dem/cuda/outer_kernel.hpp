@@ -19,9 +19,9 @@ class MeshSlots
     {
     }
 
-    //! Gives contacts with a wall their places, or `none` where there is no more room. A contact takes the
-    //! history of the one whose normal was nearest to its own; the deepest comes first.
-    DEMENS_FUNCTION void assign(std::uint32_t wall, Vector3 const* contacts, std::uint32_t count)
+    //! Finds contacts with a wall that go on: a contact takes the history of the one whose normal was nearest
+    //! to its own; the deepest comes first.
+    DEMENS_FUNCTION void match(std::uint32_t wall, Vector3 const* contacts, std::uint32_t count)
     {
         for (std::uint32_t c = 0; c < count; ++c) {
             double best = like_normals;
@@ -39,9 +39,22 @@ class MeshSlots
             if (at_[c] != none)
                 taken_ |= 1u << at_[c];
         }
-        for (std::uint32_t k = first_; k < end_; ++k) // what has parted
-            if (old_ >> k & 1 && !(taken_ >> k & 1) && wall_at(k) == wall)
+    }
+
+    //! Forgets the contacts with a wall that have parted; visits their places first.
+    template <class Visit>
+    DEMENS_FUNCTION void part(std::uint32_t wall, Visit const& visit)
+    {
+        for (std::uint32_t k = first_; k < end_; ++k)
+            if (old_ >> k & 1 && !(taken_ >> k & 1) && wall_at(k) == wall) {
+                visit(k);
                 old_ &= ~(1u << k);
+            }
+    }
+
+    //! Gives the others new places, or `none` where there is no more room.
+    DEMENS_FUNCTION void place(std::uint32_t wall, std::uint32_t count)
+    {
         for (std::uint32_t c = 0; c < count; ++c)
             for (std::uint32_t k = first_; k < end_ && at_[c] == none; ++k)
                 if (!((old_ | taken_) >> k & 1)) {
@@ -85,7 +98,7 @@ class MeshSlots
 
 //! One particle, one step, before the step kernel, which goes on from its sum: the loads that are rarely
 //! there, which would take registers from those that always are.
-template <class Evaluate>
+template <class Evaluate, bool ledger = false>
 struct OuterKernel
 {
     View v;
@@ -110,7 +123,7 @@ struct OuterKernel
                                                  Load& load)
     {
         Vector3 const acceleration =
-            acceleration_in(r.surroundings, static_cast<double>(r.steps_before + r.step) * r.time_step);
+            acceleration_in(r.surroundings, static_cast<double>(step_of(r)) * r.time_step);
         auto const [drag, shaking] = forces_on(r.surroundings, here, motion, acceleration);
         load.fx += drag.x + shaking.x, load.fy += drag.y + shaking.y, load.fz += drag.z + shaking.z;
     }
@@ -122,6 +135,8 @@ struct OuterKernel
         std::uint32_t const most = r.mesh_slots < most_mesh_contacts ? r.mesh_slots : most_mesh_contacts;
         FlatWall const* const walls = v.walls_of(slot);
         MeshSlots slots(v, r, i, v.near_walls[r.sorted * v.all + i]);
+        if constexpr (ledger)
+            tally_last_loads(v, r, i, walls, slots.first(), slots.first() + r.mesh_slots);
         for (std::uint32_t w = 0; w < r.walls; ++w) {
             FlatWall const& wall = walls[w];
             if (wall.kind != FlatWall::Kind::mesh || !(near >> w % bits_of_word & 1))
@@ -140,9 +155,17 @@ struct OuterKernel
             Vector3 felt[most_mesh_contacts];
             for (std::uint32_t c = 0; c < count; ++c)
                 felt[c] = mesh.placement.rotation(found[c].felt(here.radius));
-            slots.assign(w, felt, count);
+            slots.match(w, felt, count);
+            slots.part(w, [&](std::uint32_t k) {
+                if constexpr (ledger)
+                    tally_parted<Evaluate>(v, r, i, k,
+                                           {wall, std::uint64_t{slot} * v.room.laws + law,
+                                            parted_offset(v, r, i, k, sphere.reach)},
+                                           here, motion);
+            });
+            slots.place(w, count);
             for (std::uint32_t c = 0; c < count; ++c)
-                add_contact(r, slot, slots, c, {wall, law, felt[c]}, here, motion, load);
+                add_contact(r, i, slot, slots, c, {wall, law, felt[c]}, here, motion, load);
         }
         std::uint32_t& bits = v.touching_walls[r.sorted * v.all + i];
         bits = (bits & ~(~0u << slots.first())) | slots.now();
@@ -154,20 +177,25 @@ struct OuterKernel
         std::uint32_t law;
         Vector3 const& offset;
     };
-    DEMENS_FUNCTION void add_contact(Replica& r, std::uint32_t slot, MeshSlots& slots, std::uint32_t c,
-                                     Touched const& touched, Place const& here, Motion const& motion,
-                                     Load& load) const
+    DEMENS_FUNCTION void add_contact(Replica& r, std::uint64_t i, std::uint32_t slot, MeshSlots& slots,
+                                     std::uint32_t c, Touched const& touched, Place const& here,
+                                     Motion const& motion, Load& load) const
     {
         if (slots[c] == MeshSlots::none)
             return want_slots(r);
         std::uint64_t const law = std::uint64_t{slot} * v.room.laws + touched.law;
         bool const is_new = slots.is_new(c);
         double const reach = here.radius + v.ranges[law].reach(!is_new);
-        if (!(norm_squared(touched.offset) < reach * reach))
+        if (!(norm_squared(touched.offset) < reach * reach)) {
+            if constexpr (ledger)
+                if (!is_new)
+                    tally_parted<Evaluate>(v, r, i, slots[c], {touched.wall, law, touched.offset}, here,
+                                           motion);
             return;
+        }
         slots.touches(c);
-        add_wall_contact<Evaluate>(v, r, {touched.wall, law, touched.offset, slots.history(c), is_new}, here,
-                                   motion, load);
+        add_wall_contact<Evaluate, ledger>(
+            v, r, {touched.wall, law, i, touched.offset, slots.history(c), is_new}, here, motion, load);
     }
 
     //! Lists are made anew, with more room for contacts with meshes.

@@ -71,27 +71,37 @@ DEMENS_FUNCTION inline WordOfContacts find_contacts(View const& v, Replica const
     return {now, now & ~old};
 }
 
-//! Entry k of a particle's list: what it does to the particle.
+//! A contact of a particle with particle j; its history may be a copy.
 template <class Evaluate>
-DEMENS_INLINE DEMENS_FUNCTION Load evaluate_pair(View const& v, Replica& r, Where const& where,
-                                                 std::uint32_t k, bool is_new)
+DEMENS_INLINE DEMENS_FUNCTION contact::ContactOutcome
+outcome_of_pair(View const& v, Replica& r, Where const& where, std::uint32_t j, double* history, bool is_new)
 {
-    std::uint64_t const first = v.first_of(where.slot), i = first + where.local;
-    std::uint32_t const sorted = r.sorted, j = v.neighbour_at(sorted, i, k);
     std::uint32_t const law = r.materials == 1 ? 0 : law_of_pair(v, r, where, j);
     std::uint64_t const table = std::uint64_t{where.slot} * v.room.laws + law;
     // The particle with the lower number comes first, whoever of the two computes.
     bool const is_first = where.local < j;
-    std::uint64_t const set = r.current * v.all + first;
+    std::uint64_t const set = r.current * v.all + v.first_of(where.slot);
     std::uint64_t const a = set + (is_first ? where.local : j), b = set + (is_first ? j : where.local);
     Place const place_a = v.place[a], place_b = v.place[b];
     contact::Meeting const meeting =
         contact::meeting(sphere(place_a, v.motion[a]), sphere(place_b, v.motion[b]),
                          nearest_difference(r, r.periods.any(), place_a, place_b));
     auto const outcome = Evaluate::template evaluate<contact::Partner::sphere>(
-        meeting, v.laws[table], v.layouts[table], r.time_step, v.history_of(sorted, i, k), is_new);
+        meeting, v.laws[table], v.layouts[table], r.time_step, history, is_new);
     if (overlap_excess(meeting, outcome.geometry.overlap, r.overlap_limit) > 0)
         r.overlapping = 1;
+    return outcome;
+}
+
+//! Entry k of a particle's list: what it does to the particle.
+template <class Evaluate>
+DEMENS_INLINE DEMENS_FUNCTION Load evaluate_pair(View const& v, Replica& r, Where const& where,
+                                                 std::uint32_t k, bool is_new)
+{
+    std::uint64_t const i = v.first_of(where.slot) + where.local;
+    std::uint32_t const sorted = r.sorted, j = v.neighbour_at(sorted, i, k);
+    auto const outcome = outcome_of_pair<Evaluate>(v, r, where, j, v.history_of(sorted, i, k), is_new);
+    bool const is_first = where.local < j;
     double const sign = is_first ? 1.0 : -1.0;
     auto const& f = outcome.loads.force;
     auto const& torque = is_first ? outcome.loads.torque_i : outcome.loads.torque_j;

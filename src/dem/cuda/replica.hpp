@@ -71,4 +71,10 @@ struct Replica
     std::uint32_t rebuilds;
 };
 
+//! Steps of a simulation whose loads are being found; the ledger counts from those of step 0 on.
+DEMENS_INLINE DEMENS_FUNCTION std::int64_t step_of(Replica const& r)
+{
+    return r.steps_before + r.step;
+}
+
 } // namespace demens::dem::cuda

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "demens/contact/evaluation/stored_energy.hpp"
 #include "src/dem/cuda/grid_kernels.hpp"
 #include "src/dem/cuda/mesh_contacts.hpp"
 
@@ -218,6 +219,74 @@ struct FindMeshes
     }
 };
 
+//! Whether all lists that were found have room.
+DEMENS_INLINE DEMENS_FUNCTION bool lists_have_room(View const& v, Replica const& r)
+{
+    return r.room_wanted <= v.room.neighbours && r.wall_room_wanted + r.mesh_slots <= v.room.walls &&
+           r.mesh_slots_wanted <= r.mesh_slots;
+}
+
+//! With a ledger: what contacts held that do not go on, since a wall was taken away, goes with the wall.
+struct TallyDropped
+{
+    View v;
+
+    DEMENS_FUNCTION void operator()(Where const& where) const
+    {
+        Replica const& r = v.replica[where.slot];
+        if (!searches(r) || where.local >= r.particles || step_of(r) == 0 || !lists_have_room(v, r))
+            return;
+        std::uint64_t const first = v.first_of(where.slot), i = first + where.local;
+        std::uint64_t const old = first + v.old_index[i], tables = std::uint64_t{where.slot} * v.room.laws;
+        std::uint32_t const material = v.material[(1 - r.sorted) * v.all + i];
+        double held = 0;
+        std::uint32_t const count = v.neighbours[r.sorted * v.all + old];
+        for (std::uint32_t k = 0; k < count; ++k) {
+            std::uint32_t const word = v.touching[v.at(r.sorted, v.words(), k / bits_of_word, old)];
+            std::uint32_t const j = v.new_index[first + v.neighbour_at(r.sorted, old, k)];
+            if (!(word >> k % bits_of_word & 1) || is_neighbour(r, i, j))
+                continue;
+            std::uint32_t const other = v.material[(1 - r.sorted) * v.all + first + j];
+            held +=
+                0.5 * stored(tables + v.law_of(where.slot, material, other), v.history_of(r.sorted, old, k));
+        }
+        std::uint32_t const walls = v.near_walls[r.sorted * v.all + old];
+        std::uint32_t const touching = v.touching_walls[r.sorted * v.all + old];
+        for (std::uint32_t left = touching; left != 0; left &= left - 1) {
+            std::uint32_t const k = lowest_bit(left);
+            std::uint32_t const w = v.near_wall[v.at(r.sorted, v.room.walls, k, old)];
+            if (k < walls ? is_touched(r, i, w) : v.near_meshes[i] != 0)
+                continue;
+            std::uint32_t const law = v.law_of(where.slot, material, v.walls_of(where.slot)[w].material);
+            held += stored(tables + law, v.wall_history_of(r.sorted, old, k));
+        }
+        v.tallies[i].work_of_walls -= held;
+    }
+
+  private:
+    DEMENS_FUNCTION double stored(std::uint64_t law, double const* history) const
+    {
+        auto const stored = contact::stored_energy_in(v.laws[law], v.layouts[law], history);
+        return stored.normal + stored.tangential + stored.rolling + stored.cohesive;
+    }
+    DEMENS_FUNCTION bool is_neighbour(Replica const& r, std::uint64_t i, std::uint32_t j) const
+    {
+        std::uint32_t const now = 1 - r.sorted, count = v.neighbours[now * v.all + i];
+        for (std::uint32_t k = 0; k < count; ++k)
+            if (v.neighbour_at(now, i, k) == j)
+                return true;
+        return false;
+    }
+    DEMENS_FUNCTION bool is_touched(Replica const& r, std::uint64_t i, std::uint32_t wall) const
+    {
+        std::uint32_t const now = 1 - r.sorted, count = v.near_walls[now * v.all + i];
+        for (std::uint32_t k = 0; k < count; ++k)
+            if (v.near_wall[v.at(now, v.room.walls, k, i)] == wall)
+                return true;
+        return false;
+    }
+};
+
 //! The new lists hold.
 struct FinishSearch
 {
@@ -230,8 +299,7 @@ struct FinishSearch
             return;
         for (int axis = 0; axis < 3; ++axis) // for the next one
             r.low[axis] = ~std::uint64_t{0}, r.high[axis] = 0;
-        if (r.room_wanted > v.room.neighbours || r.wall_room_wanted + r.mesh_slots > v.room.walls ||
-            r.mesh_slots_wanted > r.mesh_slots) {
+        if (!lists_have_room(v, r)) {
             r.status = Status::full;
             r.phase = Phase::rest;
             return;
@@ -262,6 +330,8 @@ void search(View const& v, Launcher&& launch)
     launch.over(v.room.particles, FindNeighbours{v});
     if (v.room.facets > 0)
         launch.over(v.room.particles, FindMeshes{v});
+    if (v.room.has_ledger)
+        launch.over(v.room.particles, TallyDropped{v});
     launch.over_replicas(FinishSearch{v});
 }
 

@@ -51,7 +51,8 @@ void SlotState::visit_all(Record& record)
     record("slot/overlapping", overlapping), record("slot/loads_are_known", loads_are_known);
     record("slot/stale", stale), record("slot/walls_seen", walls_seen);
     record("slot/wall_path", wall_path), record("slot/steps_done", steps_done);
-    record("slot/gaps", gaps);
+    record("slot/gaps", gaps), record("slot/tallies", tallies);
+    record("slot/brought_in", brought_in), record("slot/turned_over", turned_over);
 }
 
 bool SlotState::is_in(StateRecord const& record)
@@ -109,6 +110,7 @@ void SlotState::check(Params const& params) const
                "lists of walls");
     for (std::size_t k = 0; k < near_wall.size(); ++k)
         expect_fit(near_wall[k] < walls.size(), "a list names a wall that is not there");
+    expect_fit(tallies.size() == (params.options.energy_ledger ? count : 0), "parts of the energy ledger");
     expect_fit(gaps.size() == params.laws.size(), "the ranges of the laws");
     expect_fit(status >= static_cast<std::uint32_t>(Status::running) &&
                    status <= static_cast<std::uint32_t>(Status::escaped) && steps_done >= 0,

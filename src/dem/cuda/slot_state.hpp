@@ -2,6 +2,7 @@
 
 #include "demens/dem/particles.hpp"
 #include "demens/dem/record_fields.hpp"
+#include "src/dem/cuda/tally.hpp"
 #include "src/dem/params.hpp"
 #include "src/dem/wall_set.hpp"
 
@@ -32,7 +33,9 @@ struct SlotState
     bool leaping = false, overlapping = false, loads_are_known = false, stale = true;
     double walls_seen = 0, wall_path = 0; //!< [m]
     std::int64_t steps_done = 0;
-    std::vector<double> gaps; //!< of the laws, for the largest particle [m]
+    std::vector<double> gaps;   //!< of the laws, for the largest particle [m]
+    std::vector<Tally> tallies; //!< with the ledger
+    double brought_in = 0, turned_over = 0;
     WallSet walls;
 
     std::size_t added() const { return particles.size() + waiting.size(); }

@@ -3,6 +3,7 @@
 #include "src/dem/cuda/pair_kernel.hpp"
 #include "src/dem/cuda/team_queue.hpp"
 #include "src/dem/cuda/wall_kernel.hpp"
+#include "src/dem/surrounding_forces.hpp"
 
 namespace demens::dem::cuda {
 
@@ -13,7 +14,7 @@ namespace demens::dem::cuda {
 //! that they agree bit for bit on force and history, and no team waits for another. What others read (places,
 //! motions) is written to the other set. Particles have unlike numbers of contacts: a team deals all that it
 //! has to its lanes, and each particle then adds up its own, in order.
-template <class Evaluate>
+template <class Evaluate, bool ledger = false>
 struct StepKernel
 {
     View v;
@@ -40,6 +41,9 @@ struct StepKernel
             if (team.first + lane >= r.particles)
                 return;
             std::uint64_t const i = first + lane;
+            if constexpr (ledger)
+                if (phase != Phase::move && r.has_surroundings)
+                    tally_surroundings(r, i, v.place[set + i], v.motion[set + i], load[lane]);
             if (phase == Phase::load)
                 keep(r, i, v.motion[set + i], load[lane]);
             else
@@ -109,13 +113,32 @@ struct StepKernel
         team.deal(count, [&](std::uint32_t k) {
             std::uint64_t const i = first + queue.contact[k].lane();
             Load sum = queue.load_of(k);
-            add_walls<Evaluate>(v, r, team.slot, i, v.place[set + i], v.motion[set + i], sum);
+            add_walls<Evaluate, ledger>(v, r, team.slot, i, v.place[set + i], v.motion[set + i], sum);
             queue.keep(k, sum);
         });
         team.each([&](std::uint32_t lane) {
             if (near[lane])
                 load[lane] = queue.load_of(place[lane]);
         });
+    }
+
+    //! Work of drag and vibration: half of that on the path that led here, and half on the next.
+    DEMENS_FUNCTION void tally_surroundings(Replica const& r, std::uint64_t i, Place const& here,
+                                            Motion const& m, Load const& l) const
+    {
+        double const dt = r.time_step, kick = step_of(r) == 0 ? 0.5 * dt : dt;
+        Vector3 const acceleration =
+            acceleration_in(r.surroundings, static_cast<double>(step_of(r)) * r.time_step);
+        auto const [drag, shaking] = forces_on(r.surroundings, here, m, acceleration);
+        Vector3 const before{m.vx, m.vy, m.vz};
+        Vector3 const after = before + kick * (Vector3{l.fx, l.fy, l.fz} / m.mass + r.gravity);
+        Tally& tally = v.tallies[i];
+        if (step_of(r) > 0) {
+            tally.damping -= tally.drag_to_come + 0.5 * dt * dot(drag, before);
+            tally.work_of_walls += tally.vibration_to_come + 0.5 * dt * dot(shaking, before);
+        }
+        tally.drag_to_come = 0.5 * dt * dot(drag, after);
+        tally.vibration_to_come = 0.5 * dt * dot(shaking, after);
     }
 
     DEMENS_INLINE DEMENS_FUNCTION static void add(Load& sum, Load const& l)

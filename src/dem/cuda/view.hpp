@@ -7,6 +7,7 @@
 #include "demens/shape/triangle_tree.hpp"
 #include "src/dem/cuda/flat_wall.hpp"
 #include "src/dem/cuda/replica.hpp"
+#include "src/dem/cuda/tally.hpp"
 
 namespace demens::dem::cuda {
 
@@ -23,6 +24,7 @@ struct Room
     std::uint32_t laws = 0, materials = 0; //!< of a slot
     std::uint32_t facets = 0, nodes = 0;   //!< of all meshes
     bool has_outer_loads = false;          //!< some replica has
+    bool has_ledger = false;               //!< some replica keeps one
 
     friend bool operator==(Room const&, Room const&) = default;
 };
@@ -74,6 +76,8 @@ struct View
     double* wall_history;          //!< of each particle one after another, `wall_numbers` behind each
 
     std::uint32_t* near_meshes; //!< all: bit w % 32 where mesh w is near
+
+    Tally* tallies; //!< all; only with a ledger
 
     // Of a search
     std::uint32_t *cell_of, *place_in_cell, *bucket, *new_index, *old_index; // all

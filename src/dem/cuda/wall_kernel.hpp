@@ -65,13 +65,77 @@ class FeltWalls
 struct WallContact
 {
     FlatWall const& wall;
-    std::uint64_t law; //!< number among those of all slots
-    Vector3 offset;    //!< from the wall to the centre [m]
-    double* history;   //!< with `wall_numbers` behind
+    std::uint64_t law, particle; //!< numbers among those of all slots
+    Vector3 offset;              //!< from the wall to the centre [m]
+    double* history;             //!< with `wall_numbers` behind
     bool is_new;
 };
-//! Adds its load, and notes what acts on the wall.
+//! What the ledger counts of it: losses, and half of the work that the wall does in the step, beside that of
+//! force and torque: the surface moves as it does where it is touched, but the torque is that of forces a
+//! radius from the centre.
+DEMENS_FUNCTION inline void tally_wall_contact(View const& v, Replica const& r, WallContact const& c,
+                                               contact::ContactOutcome const& outcome, Vector3 const& torque)
+{
+    if (step_of(r) == 0)
+        return;
+    contact::WallSurface const& surface = c.wall.surface;
+    contact::ContactGeometry const& at = outcome.geometry;
+    Vector3 const force{outcome.loads.force.x, outcome.loads.force.y, outcome.loads.force.z};
+    Tally& tally = v.tallies[c.particle];
+    tally.lose(outcome.lost, 1);
+    tally.work_of_walls += r.time_step * ((at.overlap - at.gap) * dot(surface.spin, cross(at.normal, force)) +
+                                          0.5 * (dot(force, surface.velocity) - dot(torque, surface.spin)));
+}
+
+//! The other half: of the loads in the step before, kept in the places [from, to) of a particle.
+DEMENS_FUNCTION inline void tally_last_loads(View const& v, Replica const& r, std::uint64_t i,
+                                             FlatWall const* walls, std::uint32_t from, std::uint32_t to)
+{
+    if (step_of(r) == 0)
+        return;
+    double power = 0;
+    for (std::uint32_t k = from; k < to; ++k) {
+        if (!(v.touching_walls[r.sorted * v.all + i] >> k & 1))
+            continue;
+        FlatWall const& wall = walls[v.near_wall[v.at(r.sorted, v.room.walls, k, i)]];
+        double const* const kept = v.wall_history_of(r.sorted, i, k) + v.room.history;
+        Vector3 const force{kept[wall_force_at], kept[wall_force_at + 1], kept[wall_force_at + 2]},
+            torque{kept[wall_torque_at], kept[wall_torque_at + 1], kept[wall_torque_at + 2]};
+        if (wall.kind != FlatWall::Kind::absent)
+            power += dot(force, wall.surface.velocity) + dot(torque, wall.surface.spin);
+    }
+    v.tallies[i].work_of_walls -= 0.5 * r.time_step * power;
+}
+
+//! A wall that is touched no more, and the law there, by its number among those of all slots.
+struct PartedWall
+{
+    FlatWall const& wall;
+    std::uint64_t law;
+    Vector3 offset; //!< from it to the centre [m]
+};
+//! An offset along the one that is kept in place k, a little longer than the reach.
+DEMENS_FUNCTION inline Vector3 parted_offset(View const& v, Replica const& r, std::uint64_t i,
+                                             std::uint32_t k, double reach)
+{
+    double const* const was = v.wall_history_of(r.sorted, i, k) + v.room.history + wall_offset_at;
+    Vector3 const old{was[0], was[1], was[2]};
+    return ((1 + 1e-6) * reach / norm(old)) * old;
+}
+//! What a contact has lost in parting, which was kept in place k.
 template <class Evaluate>
+DEMENS_FUNCTION void tally_parted(View const& v, Replica const& r, std::uint64_t i, std::uint32_t k,
+                                  PartedWall const& parted, Place const& here, Motion const& motion)
+{
+    auto const outcome = Evaluate::template evaluate<contact::Partner::wall>(
+        contact::meeting(sphere(here, motion), parted.wall.surface, parted.offset), v.laws[parted.law],
+        v.layouts[parted.law], r.time_step, v.wall_history_of(r.sorted, i, k), false);
+    if (step_of(r) > 0)
+        v.tallies[i].lose(outcome.lost, 1);
+}
+
+//! Adds its load, and notes what acts on the wall.
+template <class Evaluate, bool ledger>
 DEMENS_INLINE DEMENS_FUNCTION void add_wall_contact(View const& v, Replica& r, WallContact const& c,
                                                     Place const& here, Motion const& motion, Load& load)
 {
@@ -88,10 +152,12 @@ DEMENS_INLINE DEMENS_FUNCTION void add_wall_contact(View const& v, Replica& r, W
     double* const kept = c.history + v.room.history;
     kept[wall_offset_at] = c.offset.x, kept[wall_offset_at + 1] = c.offset.y;
     kept[wall_offset_at + 2] = c.offset.z;
-    if (r.phase == Phase::load) {
+    if (ledger || r.phase == Phase::load) {
         Vector3 const force{f.x, f.y, f.z}, torque_i{t.x, t.y, t.z};
         Vector3 const arm = Vector3{here.x, here.y, here.z} - surface.pivot;
         Vector3 const torque = contact::torque_on_wall(arm, force, torque_i);
+        if constexpr (ledger)
+            tally_wall_contact(v, r, c, outcome, torque);
         kept[wall_force_at] = -f.x, kept[wall_force_at + 1] = -f.y, kept[wall_force_at + 2] = -f.z;
         kept[wall_torque_at] = torque.x, kept[wall_torque_at + 1] = torque.y;
         kept[wall_torque_at + 2] = torque.z;
@@ -99,7 +165,7 @@ DEMENS_INLINE DEMENS_FUNCTION void add_wall_contact(View const& v, Replica& r, W
 }
 
 //! Adds the loads of a particle's contacts with walls that are no meshes.
-template <class Evaluate>
+template <class Evaluate, bool ledger = false>
 DEMENS_FUNCTION void add_walls(View const& v, Replica& r, std::uint32_t slot, std::uint64_t i,
                                Place const& here, Motion const& motion, Load& load)
 {
@@ -113,6 +179,8 @@ DEMENS_FUNCTION void add_walls(View const& v, Replica& r, std::uint32_t slot, st
         return walls[v.near_wall[v.at(sorted, v.room.walls, k, i)]];
     };
     auto const law_at = [&](std::uint32_t k) { return v.law_of(slot, material, wall_at(k).material); };
+    if constexpr (ledger)
+        tally_last_loads(v, r, i, walls, 0, count);
     Vector3 const centre{here.x, here.y, here.z};
     FeltWalls felt;
     double gap = 0;
@@ -142,12 +210,21 @@ DEMENS_FUNCTION void add_walls(View const& v, Replica& r, std::uint32_t slot, st
         std::uint32_t const law = law_at(k);
         double const reach = here.radius + v.ranges[tables + law].reach(old >> k & 1);
         Vector3 const offset = felt[k].felt;
-        if (!felt[k].counts || !(norm_squared(offset) < reach * reach))
+        if (!felt[k].counts || !(norm_squared(offset) < reach * reach)) {
+            if constexpr (ledger)
+                if (old >> k & 1) {
+                    bool const is_away = felt[k].counts || felt[k].distance >= here.radius + gap;
+                    tally_parted<Evaluate>(v, r, i, k,
+                                           {wall_at(k), tables + law,
+                                            is_away ? offset : parted_offset(v, r, i, k, here.radius + gap)},
+                                           here, motion);
+                }
             continue;
+        }
         now |= 1u << k;
-        add_wall_contact<Evaluate>(
-            v, r, {wall_at(k), tables + law, offset, v.wall_history_of(sorted, i, k), !(old >> k & 1)}, here,
-            motion, load);
+        add_wall_contact<Evaluate, ledger>(
+            v, r, {wall_at(k), tables + law, i, offset, v.wall_history_of(sorted, i, k), !(old >> k & 1)},
+            here, motion, load);
     }
     bits = now | old >> count << count; // contacts with meshes are kept behind
 }

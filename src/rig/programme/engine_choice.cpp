@@ -1,22 +1,17 @@
 #include "demens/rig/engine_choice.hpp"
 
 #include "demens/dem/engine.hpp"
-#include "demens/rig/programme/programme.hpp"
 
 namespace demens::rig {
 
-std::string needs_cpu(Apparatus const& apparatus, bool with_team)
+std::string needs_cpu(bool with_team)
 {
-    if (with_team)
-        return "several ranks share a run (run.ranks_per_group)";
-    if (apparatus.options.energy_ledger)
-        return "its energy is accounted for (energy_ledger)";
-    return "";
+    return with_team ? "several ranks share a run (run.ranks_per_group)" : "";
 }
 
-dem::EngineKind chosen_engine(EngineChoice choice, Apparatus const& apparatus, bool with_team)
+dem::EngineKind chosen_engine(EngineChoice choice, bool with_team)
 {
-    auto const obstacle = needs_cpu(apparatus, with_team);
+    auto const obstacle = needs_cpu(with_team);
     switch (choice) {
     case EngineChoice::cpu:
         return dem::EngineKind::cpu;

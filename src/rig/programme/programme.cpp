@@ -67,12 +67,7 @@ RigInfo described(RigInfo rig)
         return programme.check ? programme.check() : std::vector<std::string>{};
     };
     rig.check = [checked](RunInput const& input) { checked(input); };
-    // What stands there is made for this alone, so not for every run.
-    rig.warnings = [checked, describe](RunInput const& input) {
-        if (input.engine == EngineChoice::cuda || input.engine == EngineChoice::cuda_on_host)
-            chosen_engine(input.engine, describe(input).build(), false);
-        return checked(input);
-    };
+    rig.warnings = checked;
     rig.predict_cost = [describe](RunInput const& input) {
         auto const programme = describe(input);
         return programme.expected_particles * programme.expected_duration / programme.time_step;

@@ -104,7 +104,7 @@ ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team, RunState const&
     check_fits(programme_, state.progress);
     Apparatus apparatus = programme_.build();
     apparatus.options.team = team_;
-    apparatus.options.engine = chosen_engine(programme_.engine, apparatus, team_ != nullptr);
+    apparatus.options.engine = chosen_engine(programme_.engine, team_ != nullptr);
     apparatus.options.batch = apparatus.options.engine == dem::EngineKind::cpu ? nullptr : batch_;
     auto const stage = state.progress.model_of;
     auto model = stage ? *programme_.stages[*stage].model : apparatus.model;
@@ -188,7 +188,7 @@ void ProgrammeRun::build()
 {
     Apparatus apparatus = programme_.build();
     apparatus.options.team = team_;
-    apparatus.options.engine = chosen_engine(programme_.engine, apparatus, team_ != nullptr);
+    apparatus.options.engine = chosen_engine(programme_.engine, team_ != nullptr);
     apparatus.options.batch = apparatus.options.engine == dem::EngineKind::cpu ? nullptr : batch_;
     bench_.emplace(Bench{dem::Simulation(apparatus.model, apparatus.options)});
     if (contact::drifts(apparatus.model))

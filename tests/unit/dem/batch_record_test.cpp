@@ -19,6 +19,7 @@ SimulationOptions options_of_bed(EngineKind engine)
 {
     SimulationOptions options = on(engine);
     options.periodic = {.x = {-5 * radius, 5 * radius}};
+    options.energy_ledger = true;
     options.surroundings = {.viscosity = 1.8e-5, .density = 1.2, .vibration = {0, 2, 0}, .frequency = 50};
     return options;
 }
@@ -73,10 +74,10 @@ TEST_F(CudaRecord, GoesOnWithTheSameBitsFromAnyStep)
             rest.activate(WallId{2}, false);
         }
         rest.advance(400);
-        EXPECT_EQ(rest.save().to_bytes(), whole.save().to_bytes());
+        EXPECT_EQ(rest.health(), whole.health()); // looks at the ledger, which notes what is turned over
+        EXPECT_TRUE(rest.save().to_bytes() == whole.save().to_bytes());
         EXPECT_EQ(rest.read_wall_loads()[7].force, whole.read_wall_loads()[7].force);
         EXPECT_EQ(rest.counts().contacts, whole.counts().contacts);
-        EXPECT_EQ(rest.health(), whole.health());
         if (HasFailure())
             return;
     }

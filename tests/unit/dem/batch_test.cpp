@@ -267,9 +267,6 @@ TEST_F(Batch, GrowsWhereListsAreLongerThanTheirRoom)
 
 TEST_F(CudaEngine, SaysWhatItCannotDo)
 {
-    SimulationOptions options = on(EngineKind::cuda_on_host);
-    options.energy_ledger = true;
-    EXPECT_THROW(Simulation(powder(), options), InputError);
     contact::Model model = powder();
     model.pairs.pop_back(), model.pairs.pop_back(); // powder meets no steel
     Simulation simulation(model, on(EngineKind::cuda_on_host));

@@ -157,21 +157,33 @@ TEST(ProgrammeRun, HasTheResponsesOfAnotherEngineToo)
         EXPECT_NEAR(there[r], here[r], 3.5 * std::sqrt(2.0 / 3) * scatter[r]) << r;
 }
 
-TEST(ProgrammeRun, RefusesWhatAnEngineCannotDoBeforeARun)
+TEST(ProgrammeRun, AnotherEngineAccountsForEnergyAndGoesOnFromItsRecord)
 {
-    auto const& info = *rig::find_rig("drawdown");
     auto input = demens::testing::small_drawdown(1);
     input.experiment.set("energy_ledger", true);
-    for (auto const engine : {rig::EngineChoice::cpu, rig::EngineChoice::automatic}) {
-        input.engine = engine;
-        EXPECT_NO_THROW(info.warnings(input));
-    }
-    input.engine = rig::EngineChoice::cuda;
+    auto programme = rig::find_rig("drawdown")->describe(input);
+    programme.engine = rig::EngineChoice::cuda_on_host;
+    rig::ProgrammeRun whole(programme, nullptr);
+    whole.advance(1500);
+    EXPECT_FALSE(whole.is_over()) << whole.result().reason; // the ledger is balanced
+    auto const bytes = whole.save().record().to_bytes();
+    rig::ProgrammeRun rest(programme, nullptr,
+                           rig::RunState::from_record(dem::StateRecord::from_bytes(bytes)));
+    whole.advance(500), rest.advance(500);
+    EXPECT_FALSE(whole.is_over()) << whole.result().reason;
+    EXPECT_TRUE(whole.save().record().to_bytes() == rest.save().record().to_bytes());
+}
+
+TEST(ProgrammeRun, OnlyTheCpuEngineSharesARunAmongRanks)
+{
+    EXPECT_EQ(rig::chosen_engine(rig::EngineChoice::cuda, false), dem::EngineKind::cuda);
+    EXPECT_EQ(rig::chosen_engine(rig::EngineChoice::cpu, true), dem::EngineKind::cpu);
+    EXPECT_EQ(rig::chosen_engine(rig::EngineChoice::automatic, true), dem::EngineKind::cpu);
     try {
-        info.warnings(input);
+        rig::chosen_engine(rig::EngineChoice::cuda, true);
         FAIL();
     } catch (InputError const& error) {
-        EXPECT_NE(std::string(error.what()).find("run.engine = \"cuda\" cannot do this run: its energy"),
+        EXPECT_NE(std::string(error.what()).find("run.engine = \"cuda\" cannot do this run: several ranks"),
                   std::string::npos)
             << error.what();
     }
