@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Writes what a campaign's runs predict of photographs: mean profile, mask and occupancy, with their scatter.
 
-usage: make_prediction.py DEMENS CAMPAIGN.h5 EXPERIMENT FOLDER
+usage: make_prediction.py DEMENS FOLDER EXPERIMENT CAMPAIGN.h5...
 
 The occupancy of each run (kept with `keep_picture`) is mirrored into the photographs' sense of turning, written as a picture and
 read by `demens observe` with the photographs' circle and cut. In FOLDER: EXPERIMENT-occupancy.png, the mean over the runs, and
-EXPERIMENT-mask.png (bed black), 406 x 406 pixels, circle at (203, 203) with radius 203; EXPERIMENT-profile.csv.
+EXPERIMENT-mask.png (bed black), 406 x 406 pixels, circle at (203, 203) with radius 203; EXPERIMENT-profile.csv, mean and scatter; EXPERIMENT-members.csv, each run with its factors.
 """
 import json
 import os
@@ -19,7 +19,7 @@ import zlib
 import h5py
 import numpy as np
 
-demens, file, experiment, folder = sys.argv[1:5]
+demens, folder, experiment, *files = sys.argv[1:]
 pixels = 406
 
 
@@ -43,19 +43,18 @@ def observed(paths):
     return json.loads(said)
 
 
-shares = []
-with h5py.File(file) as campaign:
-    names = [n.decode() for n in campaign["experiments/name"][:]]
-    number = names.index(experiment)
-    for wave in sorted(campaign["waves"]):
-        runs = campaign[f"waves/{wave}/runs"]
-        picture = campaign[f"profiles/{wave}/{experiment}/picture"]
-        rows = [k for k in range(len(runs["run"])) if runs["experiment"][k] == number]
-        for row in rows:
-            if runs["status"][row] != 1:
-                continue
-            start, count = int(picture["first_sample"][row]), int(picture["samples"][row])
-            shares.append(picture["values"][start:start + count, 1].reshape(pixels, pixels)[:, ::-1])
+shares, factors = [], []
+for file in files:
+    with h5py.File(file) as campaign:
+        names = [name.decode() for name in campaign["experiments/name"][:]]
+        factor_names = [name.decode() for name in campaign["factors/name"][:]]
+        for wave in sorted(campaign["waves"]):
+            runs = campaign[f"waves/{wave}/runs"]
+            picture = campaign[f"profiles/{wave}/{experiment}/picture"]
+            for row in np.flatnonzero((runs["experiment"][:] == names.index(experiment)) & (runs["status"][:] == 1)):
+                start, count = int(picture["first_sample"][row]), int(picture["samples"][row])
+                shares.append(picture["values"][start:start + count, 1].reshape(pixels, pixels)[:, ::-1])
+                factors.append(campaign[f"waves/{wave}/design"][int(runs["point"][row] - runs["point"][0])])
 mean = np.mean(shares, axis=0)
 os.makedirs(folder, exist_ok=True)
 write_png(f"{folder}/{experiment}-occupancy.png", darkness(mean))
@@ -80,6 +79,10 @@ with open(f"{folder}/{experiment}-profile.csv", "w") as table:
         if len(there) > len(runs) / 2:
             sd = np.std(there, ddof=1) if len(there) > 1 else np.nan
             table.write(f"{x:.3f},{np.mean(there):.3f},{sd:.3f},{there.min():.3f},{there.max():.3f},{len(there)}\n")
+with open(f"{folder}/{experiment}-members.csv", "w") as table:
+    table.write(",".join(factor_names) + "," + ",".join(f"{x:.3f}" for x in of_mean["profile"]["x_mm"]) + "\n")
+    for run, values in zip(heights, factors):
+        table.write(",".join(f"{v:.6g}" for v in values) + "," + ",".join("" if np.isnan(z) else f"{z:.3f}" for z in run) + "\n")
 for name in ("angle_of_repose_deg", "area_percent", "r2"):
     values = np.array([run[name] for run in runs])
     print(f"{experiment} {name}: {values.mean():.4g} +- {np.std(values, ddof=1):.2g} over {len(values)} runs")

@@ -9,7 +9,7 @@ mkdir -p "$out"
 cd "$root"
 
 cmake --preset cuda -DDEMENS_BENCHMARKS=ON >"$out/configure.log"
-cmake --build --preset cuda --parallel --target unit_batch unit_programme parity_contacts gpu_speed engine_speed >"$out/build.log"
+cmake --build --preset cuda --parallel --target unit_batch unit_programme parity_contacts gpu_speed batch_speed engine_speed >"$out/build.log"
 ctest --preset cuda -L '^(gpu|parity)$' --output-on-failure | tee "$out/tests.log"
 
 bench=build/cuda/tests/bench
@@ -27,5 +27,9 @@ row() { "$bench/gpu_speed" "$drum" --seconds "$seconds" "$@"; }
   row --replicas 256
   row --along-y 200
   row --replicas 256 --rolling none
+  row --replicas 256 --rolling constant_torque
   row --cpu
+  for diameter in 3 1.5; do
+    "$bench/batch_speed" --runs 64 --diameter $diameter
+  done
 } | tee "$out/table.md"
