@@ -326,27 +326,6 @@ void Batch::forget_contacts(std::uint32_t slot)
                    nothing.size() * sizeof(Tally));
 }
 
-LawKernel Batch::law_kernel() const
-{
-    auto const all_are = [&](auto const& test) {
-        return std::all_of(replicas_.begin(), replicas_.end(), [&](HostReplica const& replica) {
-            return !replica.params ||
-                   std::all_of(replica.params->laws.begin(), replica.params->laws.end(), test);
-        });
-    };
-    if (all_are(HertzMindlin::are))
-        return LawKernel::hertz_mindlin;
-    if (all_are(HertzMindlinEpsd2::are))
-        return LawKernel::hertz_mindlin_epsd2;
-    if (all_are(HertzMindlinConstantTorque::are))
-        return LawKernel::hertz_mindlin_constant_torque;
-    if (all_are(HertzRescale::are))
-        return LawKernel::hertz_rescale;
-    if (all_are(HertzRescaleEpsd2::are))
-        return LawKernel::hertz_rescale_epsd2;
-    return LawKernel::any;
-}
-
 void Batch::run_block(std::span<std::uint32_t const> steps)
 {
     begin_ledgers(steps);
@@ -357,6 +336,7 @@ void Batch::run_block(std::span<std::uint32_t const> steps)
     wall_paths_.resize(std::size_t{view_.room.slots} * (rows_of_block + 1));
     std::vector<Replica> records(slots());
     std::uint32_t launches = 0;
+    LawKernels kernels = 0;
     std::vector<bool> takes_part(slots());
     bool search_first = false;
     for (std::uint32_t slot = 0; slot < slots(); ++slot) {
@@ -375,6 +355,8 @@ void Batch::run_block(std::span<std::uint32_t const> steps)
         for (auto const& laws : replica.params->laws)
             furthest = std::max(furthest, contact::range_of(laws, replica.largest_radius).gap);
         r.materials = static_cast<std::uint32_t>(replica.params->materials.size());
+        r.kernel = kernel_of(replica.params->laws, options.energy_ledger);
+        kernels |= bit_of(r.kernel);
         r.time_step = options.time_step;
         r.gravity = options.gravity;
         r.reach = options.skin + furthest;
@@ -405,10 +387,9 @@ void Batch::run_block(std::span<std::uint32_t const> steps)
     if (launches == 0)
         return;
     write_walls();
-    LawKernel const laws = law_kernel();
     while (launches > 0) {
         device_->write(view_.replica, records.data(), records.size() * sizeof(Replica));
-        device_->advance(view_, laws, launches, search_first);
+        device_->advance(view_, kernels, launches, search_first);
         device_->read(records.data(), view_.replica, records.size() * sizeof(Replica));
         // Those that ran out of room go on where they stopped, when there is more.
         launches = 0;

@@ -109,7 +109,6 @@ class Batch
     //! Finds the loads at the beginning of simulations with a ledger, which counts from there.
     void begin_ledgers(std::span<std::uint32_t const> steps);
     EnergyLedger present_energy(std::uint32_t slot) const;
-    LawKernel law_kernel() const;
 
     std::unique_ptr<Device> device_;
     std::vector<HostReplica> replicas_;

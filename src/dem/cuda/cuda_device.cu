@@ -66,15 +66,15 @@ __global__ void __launch_bounds__(block_size)
         *search = 1;
 }
 
-//! The step kernel for these laws, and the one before it where it is needed.
-void launch_step(View const& view, LawKernel laws, cudaStream_t stream)
+//! These step kernels, and those before them where they are needed.
+void launch_step(View const& view, LawKernels kernels, cudaStream_t stream)
 {
-    with_kernels(view, laws, [&](auto const& step, auto const& outer) {
-        std::uint32_t const blocks = view.room.particles / block_size;
+    std::uint32_t const blocks = view.room.particles / block_size;
+    if (view.room.has_ledger)
+        over_slots<<<view.room.slots * blocks, block_size, 0, stream>>>(TallyPairs{view}, blocks);
+    with_kernels(view, kernels, [&](auto const& step, auto const& outer) {
         if (view.room.has_outer_loads)
             over_slots<<<view.room.slots * blocks, block_size, 0, stream>>>(outer, blocks);
-        if (view.room.has_ledger)
-            over_slots<<<view.room.slots * blocks, block_size, 0, stream>>>(TallyPairs{view}, blocks);
         step_kernel<<<view.room.slots * blocks, block_size, 0, stream>>>(step, blocks);
         require(cudaGetLastError());
     });
@@ -105,13 +105,13 @@ struct Launches
 class StepGraph
 {
   public:
-    StepGraph(View const& view, LawKernel laws, std::uint32_t steps, cudaStream_t stream)
+    StepGraph(View const& view, LawKernels kernels, std::uint32_t steps, cudaStream_t stream)
     {
         require(cudaGraphCreate(&graph_, 0));
         require(
             cudaStreamBeginCaptureToGraph(stream, graph_, nullptr, nullptr, 0, cudaStreamCaptureModeRelaxed));
         for (std::uint32_t k = 0; k < steps; ++k)
-            capture_step(view, laws, stream);
+            capture_step(view, kernels, stream);
         cudaGraph_t same = nullptr;
         require(cudaStreamEndCapture(stream, &same));
         require(cudaGraphInstantiate(&executable_, graph_, 0));
@@ -126,9 +126,9 @@ class StepGraph
     void launch(cudaStream_t stream) const { require(cudaGraphLaunch(executable_, stream)); }
 
   private:
-    void capture_step(View const& view, LawKernel laws, cudaStream_t stream)
+    void capture_step(View const& view, LawKernels kernels, cudaStream_t stream)
     {
-        launch_step(view, laws, stream);
+        launch_step(view, kernels, stream);
         cudaGraphConditionalHandle wanted;
         require(cudaGraphConditionalHandleCreate(&wanted, graph_, 0, cudaGraphCondAssignDefault));
         std::uint32_t const slots = view.room.slots;
@@ -270,16 +270,16 @@ class CudaDevice final : public Device
         }
     }
 
-    void advance(View const& view, LawKernel laws, std::uint32_t launches, bool search_first) override
+    void advance(View const& view, LawKernels kernels, std::uint32_t launches, bool search_first) override
     {
         require(cudaSetDevice(number_)); // a thread has a device of its own to begin with
         if (search_first)
             search(view, Launches{view.room, stream_});
         if (!has_conditional_graphs_)
-            return advance_one_by_one(view, laws, launches);
+            return advance_one_by_one(view, kernels, launches);
         for (std::uint32_t const steps : {16u, 1u})
             for (; launches >= steps; launches -= steps)
-                graph(view, laws, steps).launch(stream_);
+                graph(view, kernels, steps).launch(stream_);
     }
     void move(View const& from, View const& to) override
     {
@@ -289,10 +289,10 @@ class CudaDevice final : public Device
 
   private:
     //! For drivers without conditions in graphs, and for profilers: the host looks after every step.
-    void advance_one_by_one(View const& view, LawKernel laws, std::uint32_t launches)
+    void advance_one_by_one(View const& view, LawKernels kernels, std::uint32_t launches)
     {
         for (; launches > 0; --launches) {
-            launch_step(view, laws, stream_);
+            launch_step(view, kernels, stream_);
             std::uint32_t const slots = view.room.slots;
             std::uint32_t wanted = 0;
             require(cudaMemsetAsync(wanted_, 0, sizeof wanted, stream_));
@@ -305,11 +305,11 @@ class CudaDevice final : public Device
         }
     }
 
-    StepGraph const& graph(View const& view, LawKernel laws, std::uint32_t steps)
+    StepGraph const& graph(View const& view, LawKernels kernels, std::uint32_t steps)
     {
-        auto& made = graphs_[{laws, steps}];
+        auto& made = graphs_[{kernels, steps}];
         if (!made)
-            made = std::make_unique<StepGraph>(view, laws, steps, stream_);
+            made = std::make_unique<StepGraph>(view, kernels, steps, stream_);
         return *made;
     }
 
@@ -317,7 +317,7 @@ class CudaDevice final : public Device
     cudaStream_t stream_ = nullptr;
     std::uint32_t* wanted_ = nullptr; //!< whether a replica wants lists
     bool has_conditional_graphs_ = false;
-    std::map<std::pair<LawKernel, std::uint32_t>, std::unique_ptr<StepGraph>> graphs_; //!< of the last view
+    std::map<std::pair<LawKernels, std::uint32_t>, std::unique_ptr<StepGraph>> graphs_; //!< of the last view
 };
 
 } // namespace

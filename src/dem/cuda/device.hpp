@@ -35,9 +35,9 @@ class Device
     //! Several at once, while nothing is under way; different threads can at a time.
     virtual void read(std::span<Piece const> pieces) = 0;
 
-    //! So many launches of the step kernel, with searches where replicas want them; before the first one
-    //! where `search_first`. Does not wait.
-    virtual void advance(View const& view, LawKernel laws, std::uint32_t launches, bool search_first) = 0;
+    //! So many launches of each of these step kernels, with searches where replicas want them; before the
+    //! first one where `search_first`. Does not wait.
+    virtual void advance(View const& view, LawKernels kernels, std::uint32_t launches, bool search_first) = 0;
     //! Copies all particles with their lists and histories into larger arrays.
     virtual void move(View const& from, View const& to) = 0;
 };

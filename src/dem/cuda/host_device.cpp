@@ -59,24 +59,24 @@ class HostDevice final : public Device
             copy(piece.to, piece.from, piece.bytes);
     }
 
-    void advance(View const& view, LawKernel laws, std::uint32_t launches, bool search_first) override
+    void advance(View const& view, LawKernels kernels, std::uint32_t launches, bool search_first) override
     {
         Loops const loops{view.room};
         if (search_first)
             search(view, loops);
-        with_kernels(view, laws, [&](auto const& step, auto const& outer) {
-            for (std::uint32_t k = 0; k < launches; ++k) {
+        for (std::uint32_t k = 0; k < launches; ++k) {
+            if (view.room.has_ledger)
+                loops.over(view.room.particles, TallyPairs{view});
+            with_kernels(view, kernels, [&](auto const& step, auto const& outer) {
                 if (view.room.has_outer_loads)
                     loops.over(view.room.particles, outer);
-                if (view.room.has_ledger)
-                    loops.over(view.room.particles, TallyPairs{view});
                 loops.over_teams(step);
-                bool wanted = false;
-                loops.over_replicas([&](Where const& where) { wanted |= Tick{view}(where); });
-                if (wanted)
-                    search(view, loops);
-            }
-        });
+            });
+            bool wanted = false;
+            loops.over_replicas([&](Where const& where) { wanted |= Tick{view}(where); });
+            if (wanted)
+                search(view, loops);
+        }
     }
     void move(View const& from, View const& to) override
     {

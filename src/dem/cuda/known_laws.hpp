@@ -1,6 +1,9 @@
 #pragma once
 
 #include "demens/contact/evaluation/evaluate_contact.hpp"
+#include "src/dem/cuda/law_kernel.hpp"
+
+#include <algorithm>
 
 namespace demens::dem::cuda {
 
@@ -124,16 +127,19 @@ using HertzRescale = KnownLaws<contact::NormalLaw::hertz, contact::TangentialLaw
 using HertzRescaleEpsd2 = KnownLaws<contact::NormalLaw::hertz, contact::TangentialLaw::mindlin_rescale,
                                     contact::RollingLaw::epsd2, contact::CohesionLaw::none>;
 
-//! The kernels that there are: one for any laws, and for those that are used most one each.
-enum class LawKernel
+//! The kernel of these laws.
+template <class LawSets>
+LawKernel kernel_of(LawSets const& sets, bool with_ledger)
 {
-    any,
-    hertz_mindlin,
-    hertz_mindlin_epsd2,
-    hertz_mindlin_constant_torque,
-    hertz_rescale,
-    hertz_rescale_epsd2
-};
+    auto const all_are = [&](auto const& test) { return std::all_of(sets.begin(), sets.end(), test); };
+    return with_ledger                                ? LawKernel::any_with_ledger
+           : all_are(HertzMindlin::are)               ? LawKernel::hertz_mindlin
+           : all_are(HertzMindlinEpsd2::are)          ? LawKernel::hertz_mindlin_epsd2
+           : all_are(HertzMindlinConstantTorque::are) ? LawKernel::hertz_mindlin_constant_torque
+           : all_are(HertzRescale::are)               ? LawKernel::hertz_rescale
+           : all_are(HertzRescaleEpsd2::are)          ? LawKernel::hertz_rescale_epsd2
+                                                      : LawKernel::any;
+}
 
 //! Calls `visitor` with what evaluates contacts.
 template <class Visitor>
@@ -141,6 +147,8 @@ void with_evaluation(LawKernel kernel, Visitor&& visitor)
 {
     switch (kernel) {
     case LawKernel::any:
+    case LawKernel::any_with_ledger:
+    case LawKernel::count:
         return visitor(EvaluateAny{});
     case LawKernel::hertz_mindlin:
         return visitor(EvaluateKnown<HertzMindlin>{});

@@ -102,12 +102,13 @@ template <class Evaluate, bool ledger = false>
 struct OuterKernel
 {
     View v;
+    LawKernel kernel; //!< replicas of others are left alone
 
     DEMENS_FUNCTION void operator()(Where const& where) const
     {
         Replica& r = v.replica[where.slot];
         bool const finds_loads = r.phase == Phase::load_and_move || r.phase == Phase::load;
-        if (!r.has_outer_loads || !finds_loads || where.local >= r.particles)
+        if (!r.has_outer_loads || r.kernel != kernel || !finds_loads || where.local >= r.particles)
             return;
         std::uint64_t const i = v.first_of(where.slot) + where.local, set = r.current * v.all;
         Load load{};

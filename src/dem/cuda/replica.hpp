@@ -2,6 +2,7 @@
 
 #include "demens/dem/periods.hpp"
 #include "demens/dem/surroundings.hpp"
+#include "src/dem/cuda/law_kernel.hpp"
 
 #include <cstdint>
 
@@ -33,6 +34,7 @@ struct Replica
 {
     // What the host says.
     std::uint32_t particles, walls, materials;
+    LawKernel kernel;     //!< that computes its steps
     double time_step;     //!< [s]
     Vector3 gravity;      //!< [m/s^2]
     double reach;         //!< of lists beyond contact [m]

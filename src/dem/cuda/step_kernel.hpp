@@ -18,13 +18,14 @@ template <class Evaluate, bool ledger = false>
 struct StepKernel
 {
     View v;
+    LawKernel kernel; //!< replicas of others are left alone
 
     template <class Team>
     DEMENS_FUNCTION void operator()(Team const& team, TeamQueue& queue) const
     {
         Replica& r = v.replica[team.slot];
         Phase const phase = r.phase;
-        if (phase == Phase::rest)
+        if (phase == Phase::rest || r.kernel != kernel)
             return;
         std::uint64_t const first = v.first_of(team.slot) + team.first;
         typename Team::template Own<Load> load;

@@ -14,7 +14,8 @@ struct TallyPairs
     {
         Replica& r = v.replica[where.slot];
         bool const finds_loads = r.phase == Phase::load_and_move || r.phase == Phase::load;
-        if (!finds_loads || where.local >= r.particles || step_of(r) == 0)
+        if (r.kernel != LawKernel::any_with_ledger || !finds_loads || where.local >= r.particles ||
+            step_of(r) == 0)
             return;
         std::uint64_t const i = v.first_of(where.slot) + where.local;
         std::uint32_t const count = v.neighbours[r.sorted * v.all + i];

@@ -171,12 +171,14 @@ class SomeBatch
     }
 
     //! A simulation in a slot; `seed` says which.
-    void begin(std::uint32_t slot, std::uint64_t seed)
+    void begin(std::uint32_t slot, std::uint64_t seed,
+               contact::RollingLaw rolling = contact::RollingLaw::none, bool ledger = false)
     {
         SimulationOptions options = on(EngineKind::cuda);
+        options.energy_ledger = ledger;
         options.time_step *= 1 - 0.1 * static_cast<double>(seed);
         options.domain_lower = {-1, -1, -1}, options.domain_upper = {1, 1, 1};
-        contact::Model model = powder();
+        contact::Model model = powder(contact::TangentialLaw::mindlin, rolling);
         model.pairs[0].restitution = 0.4 + 0.1 * static_cast<double>(seed);
         engines_.resize(batch_->slots());
         engines_[slot].reset();
@@ -215,6 +217,30 @@ TEST_F(Batch, AReplicaHasTheSameBitsAloneAndInAnySlot)
     EXPECT_EQ(alone.bits(0), many.bits(3));
     EXPECT_EQ(many[1].steps_done(), 700);
     EXPECT_GT(many[3].counts().contacts, 5);
+}
+
+TEST_F(Batch, TheLawsOfOthersAreNobodysBusiness)
+{
+    using contact::RollingLaw;
+    SomeBatch many(kind(), 4);
+    many.begin(0, 1, RollingLaw::epsd2);
+    many.begin(1, 1, RollingLaw::viscous);
+    many.begin(2, 1, RollingLaw::none, true);
+    many.begin(3, 1);
+    many.advance({800, 800, 800, 800});
+    for (auto const& [slot, rolling] : {std::pair{0u, RollingLaw::epsd2}, {3u, RollingLaw::none}}) {
+        SomeBatch alone(kind(), 1);
+        alone.begin(0, 1, rolling);
+        alone.advance({800});
+        EXPECT_EQ(alone.bits(0), many.bits(slot));
+    }
+    SomeBatch with_ledger(kind(), 1);
+    with_ledger.begin(0, 1, RollingLaw::none, true);
+    with_ledger.advance({800});
+    EXPECT_EQ(with_ledger.bits(0), many.bits(2));
+    EXPECT_EQ(with_ledger[0].energy().lost(), many[2].energy().lost());
+    EXPECT_GT(many[2].energy().lost(), 0);
+    EXPECT_NE(many.bits(0), many.bits(3));
 }
 
 TEST_F(Batch, LeavesBadReplicasBehindAndTakesOthersInTheirPlace)
