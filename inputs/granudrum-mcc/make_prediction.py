@@ -5,7 +5,8 @@ usage: make_prediction.py DEMENS FOLDER EXPERIMENT CAMPAIGN.h5...
 
 The occupancy of each run (kept with `keep_picture`) is mirrored into the photographs' sense of turning, written as a picture and
 read by `demens observe` with the photographs' circle and cut. In FOLDER: EXPERIMENT-occupancy.png, the mean over the runs, and
-EXPERIMENT-mask.png (bed black), 406 x 406 pixels, circle at (203, 203) with radius 203; EXPERIMENT-profile.csv, mean and scatter; EXPERIMENT-members.csv, each run with its factors.
+EXPERIMENT-certainty.png, the share of the runs whose occupancy is over the cut (all: black), and EXPERIMENT-mask.png (bed black), where it is so in half
+of them, each 406 x 406 pixels with the circle at (203, 203), radius 203; EXPERIMENT-profile.csv, mean and scatter; EXPERIMENT-members.csv, each run with its factors.
 """
 import json
 import os
@@ -20,7 +21,7 @@ import h5py
 import numpy as np
 
 demens, folder, experiment, *files = sys.argv[1:]
-pixels = 406
+pixels, cut = 406, 10  # of 255, as in campaign.toml
 
 
 def write_png(path, grey):
@@ -36,9 +37,9 @@ def darkness(share):
     return np.rint(255 * (1 - np.clip(share, 0, 1)))
 
 
-def observed(paths):
+def observed(paths, cut):
     said = subprocess.run([demens, "observe", *paths, "--radius-mm", "42", "--circle-px", "203,203,203", "--trust-circle", "--threshold",
-                           "10", "--rotation", "clockwise", "--write", os.path.join(os.path.dirname(paths[0]), "out"), "--json"],
+                           str(cut), "--rotation", "clockwise", "--write", os.path.join(os.path.dirname(paths[0]), "out"), "--json"],
                           check=True, capture_output=True, text=True).stdout
     return json.loads(said)
 
@@ -58,15 +59,17 @@ for file in files:
 mean = np.mean(shares, axis=0)
 os.makedirs(folder, exist_ok=True)
 write_png(f"{folder}/{experiment}-occupancy.png", darkness(mean))
+certainty = np.mean([share > cut / 255 for share in shares], axis=0)
+write_png(f"{folder}/{experiment}-certainty.png", darkness(certainty))
 with tempfile.TemporaryDirectory() as scratch:
     paths = []
     for k, share in enumerate(shares):
         paths.append(f"{scratch}/run-{k:02}.png")
         write_png(paths[-1], darkness(share))
-    runs = observed(paths)["pictures"]
+    runs = observed(paths, cut)["pictures"]
     together = f"{scratch}/mean.png"
-    write_png(together, darkness(mean))
-    of_mean = observed([together])["pictures"][0]
+    write_png(together, darkness(certainty))
+    of_mean = observed([together], 127)["pictures"][0]
     shutil.copy(next(f"{scratch}/out/{name}" for name in os.listdir(f"{scratch}/out") if name.endswith("mean-mask.png")),
                 f"{folder}/{experiment}-mask.png")
 key = next(k for k in of_mean["profile"] if k != "x_mm")
