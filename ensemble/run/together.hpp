@@ -33,8 +33,8 @@ class RunsTogether
     //! Rows of the wave that are not over.
     std::vector<int> const& rows() const { return rows_; }
     void begin(int row, RunRecord const& plan);
-    //! Whether some are over that have not been given yet.
-    bool has_ended() const { return !ended_.empty(); }
+    //! Whether none goes on, and none is over that has not been given yet.
+    bool is_empty() const { return rows_.empty() && ended_.empty(); }
 
     struct Ended
     {

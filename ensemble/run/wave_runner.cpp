@@ -5,6 +5,7 @@
 #include "ensemble/mpi/shared_counters.hpp"
 #include "ensemble/progress.hpp"
 #include "ensemble/run/execute.hpp"
+#include "ensemble/run/runs_in_flight.hpp"
 #include "ensemble/run/stop.hpp"
 #include "ensemble/run/together.hpp"
 
@@ -150,69 +151,70 @@ class WaveRunner::Pass
         return i < rows.size() ? std::optional(rows[i]) : std::nullopt;
     }
 
-    //! The same for a device, which does many at once.
+    //! Takes rows for a device, which does many at once.
     void take_together(std::vector<int> const& rows, Journal::Company company)
+    {
+        RunsInFlight flight(*journal_, wave_);
+        try {
+            fly(rows, company, flight);
+        } catch (FileError const&) {
+            capture([&] { flight.give_up(); }); // not the runs' fault
+            throw;
+        }
+    }
+
+    void fly(std::vector<int> const& rows, Journal::Company company, RunsInFlight& flight)
     {
         auto share = *device_;
         if (company == Journal::Company::alone)
             share.runs = 1;
+        auto together = std::make_unique<RunsTogether>(runner_.input_, share);
         std::deque<int> again; // taken, and given up for want of memory
-        std::optional<RunsTogether> together(std::in_place, runner_.input_, share);
-        std::optional<CrashNote> note;
-        std::map<int, double> start_times;
-        auto const next = [&]() -> std::optional<int> {
-            if (again.empty())
-                return next_row(rows);
-            int const row = again.front();
-            again.pop_front();
-            return row;
-        };
-        auto const give_up = [&] {
-            note.reset();
-            for (int const row : together->rows())
-                journal_->drain(wave_.runs[static_cast<std::size_t>(row)].run);
-        };
-        for (;;) {
-            while (together->has_room()) {
-                auto const row = next();
-                if (!row)
+        bool is_any_left = true;
+        while (true) {
+            while (together->has_room() && (is_any_left || !again.empty())) {
+                auto const row = again.empty() ? next_row(rows) : std::optional(again.front());
+                if (!again.empty())
+                    again.pop_front();
+                else if (!(is_any_left = row.has_value()))
                     break;
-                auto const& plan = wave_.runs[static_cast<std::size_t>(*row)];
-                journal_->start(plan.run, company);
-                start_times[*row] = work_.clock + elapsed();
-                together->begin(*row, plan);
-                note.reset();
+                flight.start(*row, company, work_.clock + elapsed());
+                together->begin(*row, wave_.runs[static_cast<std::size_t>(*row)]);
             }
-            if (together->rows().empty() && !together->has_ended())
+            if (together->is_empty())
                 return;
-            if (!note)
-                note_crashes_of(together->rows(), note);
-            std::vector<RunsTogether::Ended> ended;
+            flight.note_signals();
             try {
-                ended = together->advance();
+                for (auto& one : together->advance()) {
+                    one.run.record.start_time = flight.end(one.row);
+                    one.run.record.group = runner_.groups_.mine();
+                    keep(one.row, one.run);
+                }
             } catch (std::bad_alloc const&) {
-                auto const given_up = together->rows();
-                give_up();
-                if (share.runs == 1)
-                    keep(given_up.front(), without_memory(given_up.front()));
-                else
-                    again.insert(again.end(), given_up.begin(), given_up.end());
+                again = give_up_for_memory(*together, flight, share.runs == 1);
                 share.runs = (share.runs + 1) / 2;
                 together.reset(); // its memory first
-                together.emplace(runner_.input_, share);
-                continue;
-            }
-            for (auto& one : ended) {
-                note.reset();
-                one.run.record.group = runner_.groups_.mine();
-                one.run.record.start_time = start_times[one.row];
-                keep(one.row, one.run);
+                together = std::make_unique<RunsTogether>(runner_.input_, share);
             }
             counters_.progress();
             show();
-            if (StopSignals::should_stop_run())
-                return give_up();
+            if (StopSignals::should_stop_run()) {
+                flight.give_up();
+                return;
+            }
         }
+    }
+
+    //! Rows that are to begin again with fewer slots; where there is but one, its run has failed.
+    std::deque<int> give_up_for_memory(RunsTogether const& together, RunsInFlight& flight, bool has_one_slot)
+    {
+        auto again = flight.give_up();
+        if (has_one_slot)
+            for (int const row : together.rows()) {
+                std::erase(again, row);
+                keep(row, without_memory(row));
+            }
+        return again;
     }
 
     FinishedRun without_memory(int row) const
@@ -220,19 +222,6 @@ class WaveRunner::Pass
         return finished_run(runner_.input_, wave_.runs[static_cast<std::size_t>(row)],
                             {.status = rig::RunStatus::error, .reason = "not enough memory on the device"},
                             0);
-    }
-
-    //! Which of several runs a crash is due to is not known: their starts stay without an end.
-    void note_crashes_of(std::vector<int> const& rows, std::optional<CrashNote>& note)
-    {
-        std::string stop_lines;
-        for (int const row : rows)
-            stop_lines += journal_->stop_line(wave_.runs[static_cast<std::size_t>(row)].run);
-        note.emplace(journal_->descriptor(), stop_lines, [&](int signal) {
-            return rows.size() == 1
-                       ? journal_->crash_line(wave_.runs[static_cast<std::size_t>(rows.front())].run, signal)
-                       : std::string();
-        });
     }
 
     void keep(int row, FinishedRun const& finished)

@@ -48,46 +48,56 @@ std::optional<Entry> parse(std::string const& line)
     return entry;
 }
 
-//! Takes in one writer's journal: at any moment it has at most one run in progress.
+//! Takes in one writer's journal. What was in progress when its process began anew has died with the one
+//! before; so has a run that is begun again without an end.
 void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
 {
     auto const bytes = read_bytes(file);
     std::istringstream in(std::string(reinterpret_cast<char const*>(bytes.data()), bytes.size()));
-    Entry open; // no verb: none
-    auto const count_death = [&] {
-        if (!open.verb.empty() && !open.was_asked_to_end)
-            ++(open.verb == "ALONE" ? histories[open.run].deaths_alone : histories[open.run].deaths);
+    std::map<int, Entry> open; // by run
+    auto const count_death = [&](Entry const& start) {
+        if (!start.was_asked_to_end)
+            ++(start.verb == "ALONE" ? histories[start.run].deaths_alone : histories[start.run].deaths);
+    };
+    auto const count_deaths = [&] {
+        for (auto const& [run, start] : open)
+            count_death(start);
     };
     for (std::string line; std::getline(in, line);) {
         auto const entry = parse(line);
         if (!entry)
             continue;
-        auto& history = histories[entry->run];
-        if (entry->verb == "START" || entry->verb == "ALONE") {
-            count_death();
-            open = *entry;
-            continue;
-        }
-        if (entry->verb == "STOP") {
-            open.was_asked_to_end = true;
-            continue;
-        }
-        open = {};
-        if (entry->verb == "END") {
-            history.shard_crcs.push_back(static_cast<std::uint32_t>(std::stoul(entry->value, nullptr, 16)));
-            history.status = entry->status;
-        }
-        if (entry->verb == "CRASH") {
-            ++history.crashes;
-            history.crash = "signal " + entry->value;
+        auto const started = open.find(entry->run);
+        if (entry->verb == "BEGIN") {
+            count_deaths();
+            open.clear();
+        } else if (entry->verb == "START" || entry->verb == "ALONE") {
+            if (started != open.end())
+                count_death(started->second);
+            open[entry->run] = *entry;
+        } else if (entry->verb == "STOP") {
+            if (started != open.end())
+                started->second.was_asked_to_end = true;
+        } else {
+            open.erase(entry->run);
+            auto& history = histories[entry->run];
+            if (entry->verb == "END") {
+                history.shard_crcs.push_back(
+                    static_cast<std::uint32_t>(std::stoul(entry->value, nullptr, 16)));
+                history.status = entry->status;
+            }
+            if (entry->verb == "CRASH") {
+                ++history.crashes;
+                history.crash = "signal " + entry->value;
+            }
         }
     }
-    if (!open.verb.empty()) {
-        auto& history = histories[open.run];
+    for (auto const& [run, start] : open) {
+        auto& history = histories[run];
         history.open = true;
-        history.begun = std::max(history.begun, std::stod(open.value));
+        history.begun = std::max(history.begun, std::stod(start.value));
     }
-    count_death();
+    count_deaths();
 }
 
 } // namespace
@@ -103,6 +113,7 @@ Journal::Journal(fs::path const& folder, std::string const& writer) : path_(fold
     if (size > 0 && ::pread(file_.get(), &last, 1, size - 1) == 1 && last != '\n' &&
         ::write(file_.get(), "\n", 1) != 1)
         throw system_error("write", path_, errno);
+    append(fmt::format("BEGIN 0 {:.3f}", now()));
 }
 
 void Journal::append(std::string const& text)

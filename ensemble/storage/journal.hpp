@@ -12,7 +12,8 @@ namespace demens::ensemble {
 
 //! What one process writes down of the runs it begins and ends, a line each, on the disk before it goes on:
 //!
-//!     <CRC of the rest> START 17 1732243968.123    begun, other runs beside it
+//!     <CRC of the rest> BEGIN 0 1732243967.456     the process begins: what was in progress before has died
+//!     <CRC of the rest> START 17 1732243968.123    begun, other runs beside it, maybe of this process too
 //!     <CRC of the rest> ALONE 17 1732243968.123    begun with nothing beside it
 //!     <CRC of the rest> END 17 <CRC of the shard> <status>  complete, the shard is on the disk
 //!     <CRC of the rest> DRAIN 17                   given up on request; begin it again

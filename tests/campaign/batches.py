@@ -4,6 +4,7 @@ and on two, after SIGTERM and after SIGKILL.
 usage: batches.py DEMENS MPIRUN IMPACT.toml; exit 77 where h5py is missing
 """
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -63,6 +64,13 @@ with tempfile.TemporaryDirectory() as folder:
     assert all(status == 1 for wave in expected for status in wave[0]), expected
     assert run(campaign("three", "runs_together = 3"), 1) == expected
     assert run(campaign("two-ranks", ""), 2) == expected
+
+    # More slots than there is memory for: half of them, and half again, until they fit.
+    limit = 3 << 30
+    subprocess.run([demens, campaign("little-memory", "runs_together = 8192")], check=True, env=environment,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+    assert results("little-memory.h5") == expected
 
     code, words = interrupted(campaign("stopped", "runs_together = 4", slow=True), signal.SIGTERM)
     assert code == 75, code

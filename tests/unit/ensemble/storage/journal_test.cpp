@@ -66,6 +66,33 @@ TEST_F(JournalTest, CountsDeathsByWhatWasWritten)
     EXPECT_EQ(histories[4].deaths, 0);
 }
 
+TEST_F(JournalTest, AProcessMayHaveSeveralRunsInProgress)
+{
+    {
+        Journal journal(folder_, "rank-0000");
+        for (int run = 1; run <= 4; ++run)
+            journal.start(run, Journal::Company::others);
+        journal.end(2, 7, 1);
+        journal.drain(3); // then killed
+    }
+    auto histories = read_journals(folder_);
+    for (int const run : {1, 4}) {
+        EXPECT_TRUE(histories[run].open);
+        EXPECT_EQ(histories[run].deaths, 1);
+    }
+    for (int const run : {2, 3}) {
+        EXPECT_FALSE(histories[run].open);
+        EXPECT_EQ(histories[run].deaths, 0);
+    }
+    Journal journal(folder_, "rank-0000"); // nothing of before is in progress any more
+    histories = read_journals(folder_);
+    EXPECT_FALSE(histories[1].open);
+    EXPECT_EQ(histories[1].deaths, 1);
+    journal.start(1, Journal::Company::others);
+    journal.end(1, 8, 1);
+    EXPECT_EQ(read_journals(folder_)[1].deaths, 1);
+}
+
 TEST_F(JournalTest, DoesNotBlameARunWhoseProcessWasAskedToEnd)
 {
     for (int session = 0; session < 5; ++session) {
