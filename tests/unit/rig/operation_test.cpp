@@ -111,8 +111,7 @@ TEST(Operation, GasAndVibrationReachTheSimulation)
     EXPECT_EQ(built(input).surroundings, expected);
     input.engine = rig::EngineChoice::cuda_on_host;
     auto const result = rig::find_rig("drawdown")->run(input, {});
-    EXPECT_EQ(result.status, rig::RunStatus::error);
-    EXPECT_NE(result.reason.find("gas_viscosity_Pa_s"), std::string::npos) << result.reason;
+    EXPECT_EQ(result.status, rig::RunStatus::finished) << result.reason; // devices know both
 }
 
 TEST(Operation, AVibrationThatTheTimeStepCannotFollowIsRefused)
