@@ -77,9 +77,16 @@ RunsTogether::RunsTogether(CampaignInput const& input, DeviceShare const& share)
 {
 }
 
+std::vector<int> RunsTogether::rows() const
+{
+    std::vector<int> rows;
+    for (auto const& [row, plan] : plans_)
+        rows.push_back(row);
+    return rows;
+}
+
 void RunsTogether::begin(int row, RunRecord const& plan)
 {
-    rows_.push_back(row);
     plans_[row] = plan;
     auto const& rig = *input_.experiments.at(static_cast<std::size_t>(plan.experiment)).rig;
     rig::RunResult result;
@@ -99,7 +106,6 @@ void RunsTogether::end(int row, rig::RunResult result, double wall_time)
 {
     ended_.push_back({row, finished_run(input_, plans_.at(row), std::move(result), wall_time)});
     plans_.erase(row);
-    std::erase(rows_, row);
 }
 
 std::vector<RunsTogether::Ended> RunsTogether::advance()

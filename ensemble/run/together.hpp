@@ -29,12 +29,12 @@ class RunsTogether
   public:
     RunsTogether(CampaignInput const& input, DeviceShare const& share);
 
-    bool has_room() const { return rows_.size() < device_.slots(); }
+    bool has_room() const { return plans_.size() < device_.slots(); }
     //! Rows of the wave that are not over.
-    std::vector<int> const& rows() const { return rows_; }
+    std::vector<int> rows() const;
     void begin(int row, RunRecord const& plan);
     //! Whether none goes on, and none is over that has not been given yet.
-    bool is_empty() const { return rows_.empty() && ended_.empty(); }
+    bool is_empty() const { return plans_.empty() && ended_.empty(); }
 
     struct Ended
     {
@@ -50,8 +50,7 @@ class RunsTogether
     CampaignInput const& input_;
     dem::DeviceBatch device_;
     rig::RunBatch batch_;
-    std::vector<int> rows_;
-    std::map<int, RunRecord> plans_;
+    std::map<int, RunRecord> plans_; //!< by row, of those that are not over
     std::vector<Ended> ended_;
 };
 

@@ -100,6 +100,8 @@ class Batch
     void make_room(Room const& wanted);
     Room room_for_all() const;
     void write_tables();
+    //! Whether the walls may be elsewhere in the next step.
+    static bool may_move(WallSet const& walls);
     void write_waiting(std::uint32_t slot);
     //! Rows of walls for so many steps; moves the walls on.
     void prepare_walls(std::uint32_t slot, std::uint32_t steps);

@@ -1,6 +1,7 @@
 // Simulations on devices that are saved and go on.
 #include "demens/base/error.hpp"
 #include "tests/support/device_scenes.hpp"
+#include "tests/support/fault_of.hpp"
 #include "tests/support/meshes.hpp"
 
 #include <functional>
@@ -116,17 +117,6 @@ TEST_F(CudaRecord, GoesOnInAnySlotOfAnyBatch)
     auto const undisturbed = start(same, 0, 30);
     undisturbed->advance(400);
     EXPECT_EQ(bits_of(*many, 0), bits_of(*same, 0));
-}
-
-//! The message with which a record is refused; empty where it is not.
-std::string fault_of(std::function<void()> const& use)
-{
-    try {
-        use();
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
 }
 
 TEST_F(CudaRecord, OfAnotherEngineOrSimulationIsRefused)

@@ -1,6 +1,7 @@
 // A simulation that was saved at any step goes on with the same bits; what does not fit is refused.
 #include "demens/base/random.hpp"
 #include "demens/dem/simulation.hpp"
+#include "tests/support/fault_of.hpp"
 #include "tests/support/state.hpp"
 #include "tests/support/thread_team.hpp"
 
@@ -12,6 +13,7 @@
 namespace {
 
 using namespace demens;
+using demens::testing::fault_of;
 using demens::testing::state_of;
 
 constexpr double r = 2e-3;
@@ -190,17 +192,6 @@ TEST(StateRecord, OfATeamGoesOnWithTheSameBits)
             EXPECT_THROW(dem::Simulation::restore(model(), options(true, true, &team), record), InputError);
         });
     }
-}
-
-//! The message with which a record is refused; empty where it is not.
-std::string fault_of(std::function<void()> const& use)
-{
-    try {
-        use();
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
 }
 
 TEST(StateRecord, WhatIsDamagedIsRefused)
