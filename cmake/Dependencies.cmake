@@ -1,5 +1,6 @@
 # What must be installed; cmake/debian-packages.txt has the packages of Debian.
 find_package(fmt REQUIRED)
+find_package(Qhull REQUIRED)
 if(DEMENS_BENCHMARKS OR NOT DEMENS_ENGINE_ONLY)
   find_package(CLI11 REQUIRED)
 endif()
