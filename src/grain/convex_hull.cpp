@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
+#include <map>
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
@@ -68,57 +70,151 @@ void refuse_flat(std::span<Vector3 const> points, std::string const& origin)
         refuse(fmt::format("lie in a plane, within {:.3g} m", off_plane));
 }
 
-//! Without those that lie at the place of an earlier one.
-std::vector<Vector3> distinct(std::vector<Vector3> const& points, double little)
+//! Triangles with corners that are numbers of vertices, and what they are made of.
+struct Surface
 {
-    std::vector<Vector3> kept;
-    for (Vector3 const& p : points)
-        if (std::none_of(kept.begin(), kept.end(), [&](Vector3 const& k) { return norm(k - p) <= little; }))
-            kept.push_back(p);
-    return kept;
+    std::vector<Vector3> vertices;
+    std::vector<QhullResult::Triangle> triangles;
+};
+
+//! Corners as near to an earlier one as `little` become one with it, in the order of the points; triangles
+//! that this leaves without an area are gone.
+Surface joined(std::span<Vector3 const> points, std::vector<QhullResult::Triangle> const& triangles,
+               double little)
+{
+    std::map<std::size_t, std::size_t> number; // of a point's vertex
+    for (auto const& triangle : triangles)
+        for (auto const c : triangle.corners)
+            number[c] = 0;
+    Surface surface;
+    for (auto& [point, vertex] : number) {
+        auto const& all = surface.vertices;
+        auto const same = std::find_if(all.begin(), all.end(), [&, p = points[point]](Vector3 const& v) {
+            return norm(v - p) <= little;
+        });
+        vertex = static_cast<std::size_t>(same - all.begin());
+        if (same == all.end())
+            surface.vertices.push_back(points[point]);
+    }
+    for (auto const& [c, normal] : triangles) {
+        std::array<std::size_t, 3> const v = {number[c[0]], number[c[1]], number[c[2]]};
+        if (v[0] != v[1] && v[1] != v[2] && v[2] != v[0])
+            surface.triangles.push_back({v, normal});
+    }
+    return surface;
 }
 
-//! The vertices in a plane, counter-clockwise seen from outside, from the smallest number on.
-Loop loop_in(QhullResult::Plane const& plane, std::vector<Vector3> const& vertices, double little)
+//! Puts triangles together that lie in one plane, from the largest on.
+class Merger
 {
-    Loop loop;
-    Vector3 middle;
-    for (std::size_t v = 0; v < vertices.size(); ++v)
-        if (dot(plane.normal, vertices[v]) >= plane.offset - little) {
-            loop.push_back(static_cast<std::uint16_t>(v));
-            middle += vertices[v];
+  public:
+    Merger(Surface const& surface, double little)
+        : surface_(surface), little_(little), face_of_(surface.triangles.size(), none)
+    {
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+            for (std::size_t k = 0; k < 3; ++k)
+                triangle_at_[side(t, k)] = t;
+    }
+
+    std::vector<Loop> faces()
+    {
+        std::vector<std::size_t> order(surface_.triangles.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::vector<double> areas;
+        for (std::size_t const t : order)
+            areas.push_back(area(t));
+        std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return areas[a] > areas[b]; });
+        std::vector<Loop> loops;
+        for (std::size_t const seed : order) {
+            if (face_of_[seed] != none)
+                continue;
+            std::vector<std::size_t> const members = grown(seed);
+            if (Loop loop = border(members); !loop.empty()) {
+                loops.push_back(std::move(loop));
+                continue;
+            }
+            for (std::size_t const t : members) // not one piece: triangles of their own
+                loops.push_back(border({t}));
         }
-    if (loop.size() < 3)
-        return {};
-    middle = middle / static_cast<double>(loop.size());
-    Vector3 const u = any_normal_to(plane.normal), w = cross(plane.normal, u);
-    auto const angle = [&](std::uint16_t v) {
-        return std::atan2(dot(vertices[v] - middle, w), dot(vertices[v] - middle, u));
-    };
-    std::sort(loop.begin(), loop.end(), [&](auto a, auto b) { return angle(a) < angle(b); });
-    std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-    return loop;
-}
+        for (Loop& loop : loops)
+            std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+        std::sort(loops.begin(), loops.end());
+        return loops;
+    }
 
-//! A loop for each plane that is not a part of another one's; sorted.
-std::vector<Loop> loops_of(std::vector<QhullResult::Plane> const& planes,
-                           std::vector<Vector3> const& vertices, double little)
-{
-    std::set<Loop> found;
-    for (auto const& plane : planes)
-        if (Loop loop = loop_in(plane, vertices, little); !loop.empty())
-            found.insert(std::move(loop));
-    std::vector<Loop> loops;
-    auto const holds = [](Loop const& all, Loop const& some) {
-        return all.size() > some.size() && std::all_of(some.begin(), some.end(), [&](auto v) {
-                   return std::find(all.begin(), all.end(), v) != all.end();
-               });
-    };
-    for (Loop const& loop : found)
-        if (std::none_of(found.begin(), found.end(), [&](Loop const& other) { return holds(other, loop); }))
-            loops.push_back(loop);
-    return loops;
-}
+  private:
+    using Side = std::pair<std::size_t, std::size_t>;
+    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+    Vector3 const& corner(std::size_t t, std::size_t k) const
+    {
+        return surface_.vertices[surface_.triangles[t].corners[k]];
+    }
+    Side side(std::size_t t, std::size_t k) const
+    {
+        auto const& c = surface_.triangles[t].corners;
+        return {c[k], c[(k + 1) % 3]};
+    }
+    double area(std::size_t t) const
+    {
+        return norm(cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0)));
+    }
+
+    //! A triangle and all that hang together with it and lie in its plane.
+    std::vector<std::size_t> grown(std::size_t seed)
+    {
+        Vector3 const& normal = surface_.triangles[seed].normal;
+        auto const is_in_plane = [&](std::size_t t) {
+            for (std::size_t k = 0; k < 3; ++k)
+                if (std::abs(dot(normal, corner(t, k) - corner(seed, 0))) > little_)
+                    return false;
+            return true;
+        };
+        std::vector<std::size_t> members = {seed};
+        face_of_[seed] = seed;
+        for (std::size_t m = 0; m < members.size(); ++m)
+            for (std::size_t k = 0; k < 3; ++k) {
+                auto const [from, to] = side(members[m], k);
+                auto const next = triangle_at_.find({to, from});
+                if (next != triangle_at_.end() && face_of_[next->second] == none &&
+                    is_in_plane(next->second)) {
+                    face_of_[next->second] = seed;
+                    members.push_back(next->second);
+                }
+            }
+        return members;
+    }
+
+    //! The loop around triangles; empty where there are several.
+    Loop border(std::vector<std::size_t> const& members) const
+    {
+        std::map<std::size_t, std::size_t> next;
+        std::set<Side> sides;
+        for (std::size_t const t : members)
+            for (std::size_t k = 0; k < 3; ++k)
+                sides.insert(side(t, k));
+        std::size_t count = 0;
+        for (auto const& [from, to] : sides)
+            if (!sides.contains({to, from})) {
+                next[from] = to;
+                ++count;
+            }
+        Loop loop;
+        if (next.empty() || next.size() != count)
+            return loop;
+        std::size_t at = next.begin()->first;
+        do {
+            loop.push_back(static_cast<std::uint16_t>(at));
+            at = next[at];
+        } while (at != next.begin()->first && loop.size() <= count);
+        return loop.size() == count ? loop : Loop{};
+    }
+
+    Surface const& surface_;
+    double little_;
+    std::vector<std::size_t> face_of_; //!< the triangle that it was grown from
+    std::map<Side, std::size_t> triangle_at_;
+};
 
 //! Takes out vertices that are corners of fewer than three faces: they lie within a face or an edge.
 void drop_false_corners(std::vector<Vector3>& vertices, std::vector<Loop>& loops)
@@ -184,17 +280,14 @@ Hull convex_hull(std::span<Vector3 const> points, std::string const& origin)
         throw InputError(fmt::format("{}: the hull has {} corners, more than {}: give a coarser surface",
                                      origin, count, most_vertices));
     };
-    if (found.corners.size() > 20 * most_vertices)
-        refuse_size(found.corners.size());
-    std::vector<Vector3> corners;
-    for (auto const k : found.corners)
-        corners.push_back(centred[k]);
-    // Where a surface is so finely bent that planes within the tolerance share corners, a smaller one is
-    // right.
-    for (double const tolerance : {same_place, 1e-3 * same_place, 1e-6 * same_place}) {
+    if (found.triangles.size() > 40 * most_vertices)
+        refuse_size(found.triangles.size() / 2);
+    // What is joined may not close any more where points are near to each other: then less is.
+    for (double const tolerance : {same_place, 1e-3 * same_place, 0.0}) {
         double const little = tolerance * size;
-        std::vector<Vector3> vertices = distinct(corners, little);
-        std::vector<Loop> loops = loops_of(found.planes, vertices, little);
+        Surface surface = joined(centred, found.triangles, little);
+        std::vector<Vector3>& vertices = surface.vertices;
+        std::vector<Loop> loops = Merger(surface, little).faces();
         drop_false_corners(vertices, loops);
         if (!is_closed(vertices.size(), loops))
             continue;

@@ -69,6 +69,11 @@ Vector3 operator*(SymmetricTensor const& a, Vector3 const& v)
             a.xz * v.x + a.yz * v.y + a.zz * v.z};
 }
 
+double frobenius(SymmetricTensor const& a)
+{
+    return std::sqrt(a.xx * a.xx + a.yy * a.yy + a.zz * a.zz + 2 * (a.xy * a.xy + a.xz * a.xz + a.yz * a.yz));
+}
+
 SymmetricTensor products(Vector3 const& v)
 {
     return products(v, v);

@@ -18,7 +18,7 @@ class Run
     explicit Run(std::vector<double>& coordinates)
     {
         qh_zero(&state, messages_);
-        char command[] = "qhull Pp"; // Pp: no warnings about precision
+        char command[] = "qhull Qt Pp"; // triangles; no warnings about precision
         failed = qh_new_qhull(&state, 3, static_cast<int>(coordinates.size() / 3), coordinates.data(), False,
                               command, nullptr, messages_) != 0;
     }
@@ -63,11 +63,23 @@ QhullResult run_qhull(std::span<Vector3 const> points)
     }
     qhT* qh = &run.state; // Qhull's macros take it by this name
     facetT* facet = nullptr;
-    vertexT* vertex = nullptr;
-    FORALLvertices result.corners.push_back(static_cast<std::size_t>(qh_pointid(qh, vertex->point)));
-    FORALLfacets result.planes.push_back(
-        {{facet->normal[0], facet->normal[1], facet->normal[2]}, -facet->offset});
-    std::sort(result.corners.begin(), result.corners.end());
+    FORALLfacets
+    {
+        std::array<std::size_t, 3> corners{};
+        for (int k = 0; k < 3; ++k) {
+            auto const* vertex = static_cast<vertexT*>(SETelem_(facet->vertices, k));
+            corners[static_cast<std::size_t>(k)] = static_cast<std::size_t>(qh_pointid(qh, vertex->point));
+        }
+        if (facet->toporient)
+            std::swap(corners[1], corners[2]);
+        result.triangles.push_back({corners, {facet->normal[0], facet->normal[1], facet->normal[2]}});
+    }
+    double volume = 0; // its sign tells the sense in which all triangles go round
+    for (auto const& [c, normal] : result.triangles)
+        volume += dot(points[c[0]], cross(points[c[1]], points[c[2]]));
+    if (volume < 0)
+        for (auto& triangle : result.triangles)
+            std::swap(triangle.corners[1], triangle.corners[2]);
     return result;
 }
 

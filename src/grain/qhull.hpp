@@ -2,22 +2,23 @@
 
 #include "demens/base/vector3.hpp"
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace demens::grain {
 
-//! What Qhull finds: numbers of the points that are corners, ascending, and a plane n . x = offset a side.
+//! What Qhull finds: numbers of points, three a triangle, counter-clockwise seen from outside, which close
+//! the hull. Triangles of one plane have that plane's normal, also where they have no area of their own.
 struct QhullResult
 {
-    struct Plane
+    struct Triangle
     {
-        Vector3 normal;
-        double offset;
+        std::array<std::size_t, 3> corners;
+        Vector3 normal; //!< unit, outwards
     };
-    std::vector<std::size_t> corners;
-    std::vector<Plane> planes;
+    std::vector<Triangle> triangles;
     std::string error; //!< what Qhull said where it failed; else empty
 };
 

@@ -80,7 +80,7 @@ class LeastView
     }
 
   private:
-    static constexpr std::size_t most_tried = 12;
+    static constexpr std::size_t most_tried = 6;
 
     //! Looking along points of a spiral over half of the sphere, with turns of up to a right angle.
     static std::vector<Rotation> spread(int directions, int turns)
@@ -105,7 +105,7 @@ class LeastView
         constexpr double pi = std::numbers::pi, golden = 0.6180339887498949, other = 0.7548776662466927;
         int number = 0;
         for (double step = 0.1; step > 1e-8; step *= 0.7)
-            for (int k = 0; k < 16; ++k, ++number) {
+            for (int k = 0; k < 12; ++k, ++number) {
                 double const height = 2 * std::fmod(golden * number, 1.0) - 1;
                 double const angle = 2 * pi * std::fmod(other * number, 1.0);
                 double const radius = std::sqrt(1 - height * height);
@@ -139,9 +139,9 @@ Sizes sizes(std::span<Ball const> balls)
         return {d, d, d, d};
     }
     return {largest_feret(balls),
-            LeastView::find([&](Rotation const& view) { return width(balls, view.z); }, 2000, 1),
-            LeastView::find([&](Rotation const& view) { return square_side(balls, view); }, 400, 24),
-            LeastView::find([&](Rotation const& view) { return enclosing_diameter(balls, view); }, 200, 1)};
+            LeastView::find([&](Rotation const& view) { return width(balls, view.z); }, 1000, 1),
+            LeastView::find([&](Rotation const& view) { return square_side(balls, view); }, 200, 12),
+            LeastView::find([&](Rotation const& view) { return enclosing_diameter(balls, view); }, 100, 1)};
 }
 
 double size_by(SizeMeasure measure, MassProperties const& properties, Sizes const& sizes)

@@ -16,6 +16,8 @@ struct SymmetricTensor
 SymmetricTensor operator+(SymmetricTensor a, SymmetricTensor const& b);
 SymmetricTensor operator*(double s, SymmetricTensor const& a);
 Vector3 operator*(SymmetricTensor const& a, Vector3 const& v);
+//! Root of the sum of the squares of all nine components.
+double frobenius(SymmetricTensor const& a);
 //! All products of a vector's components.
 SymmetricTensor products(Vector3 const& v);
 //! The sum of a b^T and b a^T, halved.

@@ -63,7 +63,8 @@ CsvTable CsvTable::from_file(std::filesystem::path const& file)
     return from_text(read_file(file, "table of comma-separated values"), file.string());
 }
 
-CsvTable CsvTable::from_text(std::string const& content, std::string const& origin)
+CsvTable CsvTable::from_text(std::string const& content, std::string const& origin,
+                             std::vector<std::string> const& names)
 {
     CsvTable table;
     table.origin_ = origin;
@@ -82,6 +83,9 @@ CsvTable CsvTable::from_text(std::string const& content, std::string const& orig
             table.take_names(std::move(row));
         } else if (last_comment.cells.size() == row.cells.size() && !all_numbers(last_comment.cells)) {
             table.take_names(last_comment); // `#run,a,y`
+            table.add(std::move(row));
+        } else if (!names.empty()) {
+            table.take_names({row.line, names});
             table.add(std::move(row));
         } else {
             throw InputError(

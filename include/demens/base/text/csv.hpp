@@ -19,7 +19,9 @@ class CsvTable
     //! \throws InputError with file and line where a row does not fit the names.
     static CsvTable from_file(std::filesystem::path const& file);
     //! The same from text; `origin` stands for the file in messages.
-    static CsvTable from_text(std::string const& text, std::string const& origin);
+    //! \param names of the columns where the text begins with numbers; none: that is an error
+    static CsvTable from_text(std::string const& text, std::string const& origin,
+                              std::vector<std::string> const& names = {});
 
     std::string const& origin() const { return origin_; }
     //! Names of the columns, as written; empty where a column has none.

@@ -134,6 +134,16 @@ TEST(CsvTable, NamesWhatItCannotRead)
               "t.csv: is UTF-16, not plain text; save it as UTF-8 or ASCII");
 }
 
+TEST(CsvTable, NamesThatAreKnownNeedNotBeWritten)
+{
+    auto const table = CsvTable::from_text("# spheres\n1 2\n3 4\n", "t.csv", {"a", "y"});
+    EXPECT_EQ(table.numbers(table.column("y")), (Numbers{2, 4}));
+    EXPECT_EQ(table.where(1), "t.csv:3");
+    auto const named = CsvTable::from_text("y a\n1 2\n", "t.csv", {"a", "y"});
+    EXPECT_EQ(named.numbers(named.column("y")), (Numbers{1}));
+    EXPECT_THROW(CsvTable::from_text("1 2 3\n", "t.csv", {"a", "y"}), InputError);
+}
+
 // 1,234 is 1.234 to some and 1234 to others: neither is taken.
 TEST(CsvTable, ThousandsAreNoDecimals)
 {
