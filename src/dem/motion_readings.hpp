@@ -7,11 +7,15 @@
 
 namespace demens::dem {
 
+// Of spheres that move by themselves; rigid bodies are not in it.
+
 //! Of translation and rotation, at the time of the places; ghosts are not in it [J].
 inline double kinetic_energy(Particles const& particles, CatchUp const& now)
 {
     double energy = 0;
     for (std::size_t k = 0; k < particles.owned(); ++k) {
+        if (!particles.is_alone(k))
+            continue;
         Motion const& m = particles.motion[k];
         Load const& l = particles.load[k];
         energy +=
@@ -25,7 +29,8 @@ inline double largest_speed(Particles const& particles, CatchUp const& now)
 {
     double squared = 0;
     for (std::size_t k = 0; k < particles.owned(); ++k)
-        squared = std::max(squared, norm_squared(now.velocity(particles.motion[k], particles.load[k])));
+        if (particles.is_alone(k))
+            squared = std::max(squared, norm_squared(now.velocity(particles.motion[k], particles.load[k])));
     return std::sqrt(squared);
 }
 

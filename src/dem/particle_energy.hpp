@@ -6,11 +6,15 @@
 
 namespace demens::dem {
 
+// Of spheres that move by themselves; what rigid bodies have is not in it.
+
 //! In gravity, from the origin [J]; ghosts are not in it.
 inline double potential_energy(Particles const& particles, Vector3 const& gravity)
 {
     double energy = 0;
     for (std::size_t k = 0; k < particles.owned(); ++k) {
+        if (!particles.is_alone(k))
+            continue;
         Place const& p = particles.place[k];
         energy -= particles.motion[k].mass * dot(gravity, Vector3{p.x, p.y, p.z});
     }
@@ -24,6 +28,8 @@ inline void add_particles(EnergyLedger& ledger, Particles const& particles, Simu
 {
     double const half = 0.5 * options.time_step;
     for (std::size_t k = 0; k < particles.owned(); ++k) {
+        if (!particles.is_alone(k))
+            continue;
         // The velocities before and after the kick at this place are v - half a and v + half a.
         Motion const& m = particles.motion[k];
         Load const& l = particles.load[k];

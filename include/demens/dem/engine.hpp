@@ -27,8 +27,9 @@ enum class Health
 //! How many of everything there are. Contacts: with a force in the last step, or within reach of one.
 struct Counts
 {
-    std::size_t particles = 0;
-    std::size_t contacts = 0; //!< among particles
+    std::size_t particles = 0; //!< grains: spheres, and bodies of several elements
+    std::size_t elements = 0;  //!< spheres, and elements of bodies
+    std::size_t contacts = 0;  //!< among particles
     std::size_t wall_contacts = 0;
     std::int64_t rebuilds = 0;                             //!< of the neighbour lists, since the start
     std::size_t particles_of_rank = 0, ghosts_of_rank = 0; //!< this rank of a team, and copies from others
@@ -55,6 +56,7 @@ class Engine
 
     virtual Health health() = 0;
     virtual StateView read(Fields fields) = 0;
+    virtual StateView read_grains(Fields fields) { return read(fields); }
     virtual std::vector<WallLoad> read_wall_loads() = 0;
     virtual double largest_speed() = 0;
     virtual double kinetic_energy() = 0;

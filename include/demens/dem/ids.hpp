@@ -6,7 +6,7 @@
 
 namespace demens::dem {
 
-using ParticleId = Id<struct ParticleTag>; //!< order in which particles were added; stays with a particle
+using ParticleId = Id<struct ParticleTag>; //!< order in which elements were added; stays with one
 using WallId = Id<struct WallTag>;         //!< order in which walls were added
 using MaterialId = Id<struct MaterialTag>; //!< index into the model's materials
 

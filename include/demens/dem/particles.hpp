@@ -33,9 +33,10 @@ struct alignas(64) Load
     double tx, ty, tz, unused2; //!< [N m]
 };
 
-//! All particles, in an order that changes at each neighbour rebuild; `id` stays with a particle. Where
-//! several processes share a simulation, those of this one, then the ghosts: copies of particles of the
-//! others that come near.
+//! All particles, in an order that changes at each neighbour rebuild; `id` stays with a particle. A particle
+//! is a sphere that moves by itself, or an element of a rigid body, whose mass it then has. Where several
+//! processes share a simulation, those of this one, then the ghosts: copies of particles of the others that
+//! come near.
 struct Particles
 {
     std::vector<Place> place;
@@ -43,15 +44,19 @@ struct Particles
     std::vector<Load> load;
     std::vector<std::uint32_t> material; //!< index into the model's materials
     std::vector<std::uint32_t> id;       //!< order in which particles were added
+    std::vector<std::uint32_t> body;     //!< rigid body of each, or `alone`; empty where all are alone
+    static constexpr std::uint32_t alone = 0xffffffff;
     std::size_t ghosts = 0;
 
     std::size_t size() const { return place.size(); }
     std::size_t owned() const { return place.size() - ghosts; }
+    bool is_alone(std::size_t k) const { return body.empty() || body[k] == alone; }
+    bool are_of_one_body(std::size_t i, std::size_t j) const { return !is_alone(i) && body[i] == body[j]; }
     //! Whether all columns have the same length.
     bool is_whole() const
     {
         return motion.size() == size() && load.size() == size() && material.size() == size() &&
-               id.size() == size() && ghosts <= size();
+               id.size() == size() && (body.empty() || body.size() == size()) && ghosts <= size();
     }
     void resize(std::size_t count)
     {

@@ -4,7 +4,7 @@
 
 namespace demens::dem {
 
-//! Spheres and walls that move and touch. With a team, all its ranks make the same calls in the same order,
+//! Grains and walls that move and touch. With a team, all its ranks make the same calls in the same order,
 //! those that read too, and see the same state of the whole; only what is const does not communicate.
 class Simulation
 {
@@ -23,7 +23,8 @@ class Simulation
         return Simulation(make_engine(model, options, record));
     }
 
-    //! Spheres that enter now; the density of their materials is that of the model.
+    //! Grains that enter now; the density of their materials is that of the model. The ids are those of their
+    //! elements, of a sphere one. \throws InputError for a body that the engine, or its team, cannot move
     IdRange add(BodyBatch const& bodies) { return engine_->add(bodies); }
     ParticleId add(Body const& body) { return ParticleId{engine_->add(BodyBatch{body}).first}; }
     WallId add(Wall const& wall) { return engine_->add(wall); }
@@ -44,8 +45,12 @@ class Simulation
 
     //! State as of the last step; overlaps are judged since the last call.
     Health health() { return engine_->health(); }
-    //! The particles as they are now, of a team all of them.
+    //! The particles as they are now, of a team all of them: spheres, and the elements of bodies, each with
+    //! the mass of its body. Their outline is that of the grains.
     StateView read(Fields fields) { return engine_->read(fields); }
+    //! The same of whole grains, for masses and motions: of a body of several elements its centre of mass,
+    //! with the radius of the sphere of the same volume and the id of its first element.
+    StateView read_grains(Fields fields) { return engine_->read_grains(fields); }
     //! What the particles did to each wall in the last step.
     std::vector<WallLoad> read_wall_loads() { return engine_->read_wall_loads(); }
     double largest_speed() { return engine_->largest_speed(); }   //!< of particles [m/s]

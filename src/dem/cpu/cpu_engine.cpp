@@ -65,8 +65,16 @@ void CpuEngine::add(Body const& body, Vector3 const& v)
     double const mass =
         params_->materials[body.material.value].density * 4.0 / 3.0 * std::numbers::pi * r * r * r;
     DEMENS_EXPECT(mass > 0, "a body has a mass");
+    if (!body.is_sphere())
+        partition_->require_rigid_bodies();
     materials_.bodies_enter(*params_, body.material, 1, state_.walls.all());
     note_change();
+    if (!body.is_sphere()) {
+        add_body(state_.bodies, state_.particles, body, v, mass, state_.particles_added);
+        state_.particles_added += static_cast<std::uint32_t>(body.elements());
+        accounts_->body_added(*params_, state_);
+        return;
+    }
     auto const id = state_.particles_added++;
     Particles& particles = state_.particles;
     if (!partition_->takes(id, particles))
@@ -77,6 +85,8 @@ void CpuEngine::add(Body const& body, Vector3 const& v)
     particles.load.push_back({});
     particles.material.push_back(body.material.value);
     particles.id.push_back(id);
+    if (!particles.body.empty())
+        particles.body.push_back(Particles::alone);
     accounts_->particle_added(*params_, state_);
 }
 
@@ -132,6 +142,7 @@ void CpuEngine::begin()
             std::fill(list.state.begin(), list.state.end(), 0.0);
     rebuild_if_needed();
     std::fill(state_.particles.load.begin(), state_.particles.load.end(), Load{});
+    std::fill(state_.bodies.load.begin(), state_.bodies.load.end(), BodyLoad{});
     compute_loads(0);
     accounts_->begin(*params_, state_);
     partition_->note_change();
@@ -182,7 +193,10 @@ void CpuEngine::move_bodies()
 {
     double const dt = params_->options.time_step;
     double const kick = state_.steps_done == 0 ? 0.5 * dt : dt;
-    double const fastest_here = move_particles(state_.particles, kick, dt, params_->options.gravity);
+    Vector3 const& gravity = params_->options.gravity;
+    double fastest_here = move_particles(state_.particles, kick, dt, gravity);
+    if (!state_.bodies.empty())
+        fastest_here = std::max(fastest_here, move_rigid(state_.bodies, state_.particles, kick, dt, gravity));
     if (state_.lists.is_stale || dt * fastest_here > state_.lists.smallest_radius)
         state_.leaping |= has_leapt(state_.particles, dt);
     // A list that has become too small is made anew, by all ranks, as after a skin's travel.
@@ -221,11 +235,13 @@ void CpuEngine::search_neighbours()
 {
     SimulationOptions const& options = params_->options;
     Particles& particles = state_.particles;
-    if (options.periodic.any())
+    if (options.periodic.any()) {
         for (Place& p : particles.place) {
             p.x = options.periodic.x.wrapped(p.x);
             p.y = options.periodic.y.wrapped(p.y);
         }
+        wrap(state_.bodies, particles, options.periodic);
+    }
     bool const outside = is_outside(particles, options.domain_lower, options.domain_upper);
     if (partition_->largest(outside ? 1.0 : 0.0) > 0) {
         state_.left_domain = true; // or is not a number; `health` tells which
@@ -241,6 +257,7 @@ void CpuEngine::search_neighbours()
     partition_->distribute(particles, state_.contacts, {radius, lists.reach.candidates});
     search_.rebuild(particles, state_.walls.all(), lists.reach, state_.contacts);
     partition_->renumber(search_.new_numbers(), particles);
+    renumber(state_.bodies, search_.new_numbers());
     lists.smallest_radius = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < particles.owned(); ++k)
         lists.smallest_radius = std::min(lists.smallest_radius, particles.place[k].radius);

@@ -30,6 +30,7 @@ class CpuEngine final : public Engine
 
     Health health() override;
     StateView read(Fields fields) override;
+    StateView read_grains(Fields fields) override;
     std::vector<WallLoad> read_wall_loads() override;
     double largest_speed() override;
     double kinetic_energy() override;
@@ -66,7 +67,8 @@ class CpuEngine final : public Engine
     std::shared_ptr<Params const> params_;
     State state_;
     MaterialsPresent materials_;
-    std::optional<Seen> seen_; //!< none: the last step says it
+    std::optional<Seen> seen_;    //!< none: the last step says it
+    Particles elements_, grains_; //!< as they were read, where there are rigid bodies
     std::unique_ptr<Partition> partition_;
     std::unique_ptr<EnergyAccounts> accounts_;
     NeighbourSearch search_;

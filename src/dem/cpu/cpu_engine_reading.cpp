@@ -1,4 +1,5 @@
 #include "demens/base/contract.hpp"
+#include "src/dem/cpu/body_readings.hpp"
 #include "src/dem/cpu/cpu_engine.hpp"
 #include "src/dem/cpu/energy_sums.hpp"
 #include "src/dem/motion_readings.hpp"
@@ -36,10 +37,30 @@ Health CpuEngine::health()
     return balanced ? Health::good : Health::unbalanced;
 }
 
+namespace {
+
+StateView view_of(Particles const& all, Fields fields, CatchUp const& catches_up)
+{
+    return {{all.place, all.motion, all.load, all.material, all.id}, fields, catches_up};
+}
+
+} // namespace
+
 StateView CpuEngine::read(Fields fields)
 {
-    Particles const& all = partition_->gather(state_.particles, fields);
-    return {{all.place, all.motion, all.load, all.material, all.id}, fields, catch_up(*params_, state_)};
+    if (!state_.bodies.empty()) {
+        elements_ = elements_now(*params_, state_);
+        return view_of(elements_, fields, {});
+    }
+    return view_of(partition_->gather(state_.particles, fields), fields, catch_up(*params_, state_));
+}
+
+StateView CpuEngine::read_grains(Fields fields)
+{
+    if (state_.bodies.empty())
+        return read(fields);
+    grains_ = grains_now(*params_, state_);
+    return view_of(grains_, fields, {});
 }
 
 std::vector<WallLoad> CpuEngine::read_wall_loads()
@@ -49,7 +70,8 @@ std::vector<WallLoad> CpuEngine::read_wall_loads()
 
 double CpuEngine::largest_speed()
 {
-    return partition_->largest(dem::largest_speed(state_.particles, catch_up(*params_, state_)));
+    return partition_->largest(std::max(dem::largest_speed(state_.particles, catch_up(*params_, state_)),
+                                        largest_speed_of_bodies(*params_, state_)));
 }
 
 double CpuEngine::kinetic_energy()
@@ -82,7 +104,9 @@ Counts CpuEngine::counts()
 {
     ContactLists const& contacts = state_.contacts;
     double const pairs = count_touching(contacts.pairs) + count_touching(contacts.ghosts);
-    return {.particles = state_.particles_added,
+    RigidBodies const& bodies = state_.bodies;
+    return {.particles = state_.particles_added - (bodies.element.size() - bodies.size()),
+            .elements = state_.particles_added,
             .contacts = static_cast<std::size_t>(partition_->sum(pairs)),
             .wall_contacts = static_cast<std::size_t>(partition_->sum(count_touching(contacts.walls))),
             .rebuilds = state_.lists.rebuilds,

@@ -1,5 +1,6 @@
 #include "src/dem/cpu/energy_accounts.hpp"
 
+#include "src/dem/cpu/body_readings.hpp"
 #include "src/dem/cpu/energy_sums.hpp"
 #include "src/dem/cpu/surrounding_loads.hpp"
 #include "src/dem/particle_energy.hpp"
@@ -28,6 +29,12 @@ class EnergyMeter final : public EnergyAccounts
             return; // counts from the beginning
         state.tally.brought_in +=
             energy_on_entry(state.particles.place.back(), state.particles.motion.back(), params.options);
+    }
+
+    void body_added(Params const& params, State& state) override
+    {
+        if (state.steps_done > 0)
+            state.tally.brought_in += energy_on_entry_of_body(params, state);
     }
 
     // Places that jump by a period and contacts with walls that are no longer there change the energy.

@@ -18,6 +18,8 @@ class EnergyAccounts
     virtual void begin(Params const&, State&) {}
     //! The last particle is new.
     virtual void particle_added(Params const&, State&) {}
+    //! The last rigid body is new.
+    virtual void body_added(Params const&, State&) {}
     //! Neighbours are about to be searched, and have been.
     virtual void before_search(Params const&, State const&) {}
     virtual void after_search(Params const&, State&) {}

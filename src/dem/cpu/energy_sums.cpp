@@ -1,5 +1,6 @@
 #include "src/dem/cpu/energy_sums.hpp"
 
+#include "src/dem/cpu/body_readings.hpp"
 #include "src/dem/motion_readings.hpp"
 #include "src/dem/particle_energy.hpp"
 
@@ -12,12 +13,14 @@ CatchUp catch_up(Params const& params, State const& state)
 
 double kinetic_energy(Params const& params, State const& state)
 {
-    return dem::kinetic_energy(state.particles, catch_up(params, state));
+    return dem::kinetic_energy(state.particles, catch_up(params, state)) +
+           kinetic_energy_of_bodies(params, state);
 }
 
 double potential_energy(Params const& params, State const& state)
 {
-    return potential_energy(state.particles, params.options.gravity);
+    return potential_energy(state.particles, params.options.gravity) +
+           potential_energy_of_bodies(params, state);
 }
 
 contact::StoredEnergy stored_energy(Params const& params, ContactLists const& contacts)
@@ -38,6 +41,7 @@ EnergyLedger present_energy(Params const& params, State const& state)
 {
     EnergyLedger ledger;
     add_particles(ledger, state.particles, params.options, catch_up(params, state));
+    add_bodies(ledger, params, state);
     contact::StoredEnergy const stored = stored_energy(params, state.contacts);
     ledger.elastic_normal = stored.normal;
     ledger.elastic_tangential = stored.tangential;

@@ -48,6 +48,7 @@ void NeighbourSearch::sort_into_cells(Particles& particles, CellGrid const& grid
         number_along_cells(particles, grid, particles.owned(), n, ghost_cell_start);
 
     sorted_.resize(n);
+    sorted_.body.resize(particles.body.size());
     sorted_.ghosts = particles.ghosts;
     for (std::size_t i = 0; i < n; ++i) {
         std::uint32_t const to = new_index_[i];
@@ -57,6 +58,8 @@ void NeighbourSearch::sort_into_cells(Particles& particles, CellGrid const& grid
         sorted_.material[to] = particles.material[i];
         sorted_.id[to] = particles.id[i];
     }
+    for (std::size_t i = 0; i < particles.body.size(); ++i)
+        sorted_.body[new_index_[i]] = particles.body[i];
     std::swap(particles, sorted_);
 }
 
@@ -170,7 +173,7 @@ DEMENS_INLINE void NeighbourSearch::test_pair(Particles const& particles, std::u
     Place const& b = particles.place[second];
     double const squared = distance_squared<periodic>(a, b, periods_), touching = a.radius + b.radius;
     double const furthest = touching + lists.reach.candidates;
-    if (squared >= furthest * furthest)
+    if (squared >= furthest * furthest || particles.are_of_one_body(first, second))
         return;
     ContactList& list = lists.of_interaction[interaction_[particles.material[first] * materials_ +
                                                           particles.material[second]]];

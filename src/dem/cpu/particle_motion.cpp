@@ -6,11 +6,16 @@ namespace demens::dem {
 namespace {
 
 //! The largest speed squared [m^2/s^2].
-DEMENS_MULTIVERSION double move(Place* place, Motion* motion, Load* load, std::size_t count, double kick,
-                                double time_step, Vector3 const& gravity)
+template <bool has_bodies>
+DEMENS_MULTIVERSION double move(Place* place, Motion* motion, Load* load, std::size_t count,
+                                std::uint32_t const* body, double kick, double time_step,
+                                Vector3 const& gravity)
 {
     double fastest = 0;
     for (std::size_t i = 0; i < count; ++i) {
+        if constexpr (has_bodies)
+            if (body[i] != Particles::alone)
+                continue;
         Motion& m = motion[i];
         Load const l = load[i];
         load[i] = {};
@@ -34,8 +39,9 @@ DEMENS_MULTIVERSION double move(Place* place, Motion* motion, Load* load, std::s
 
 double move_particles(Particles& particles, double kick, double time_step, Vector3 const& gravity)
 {
-    return std::sqrt(move(particles.place.data(), particles.motion.data(), particles.load.data(),
-                          particles.owned(), kick, time_step, gravity));
+    auto const chosen = particles.body.empty() ? move<false> : move<true>;
+    return std::sqrt(chosen(particles.place.data(), particles.motion.data(), particles.load.data(),
+                            particles.owned(), particles.body.data(), kick, time_step, gravity));
 }
 
 bool has_leapt(Particles const& particles, double time_step)

@@ -12,6 +12,7 @@ class Undivided final : public Partition
   public:
     bool has_ghosts() const override { return false; }
     bool takes(std::uint32_t, Particles&) override { return true; }
+    void require_rigid_bodies() const override {}
     void distribute(Particles&, ContactLists&, MeetingReach const&) override {}
     void renumber(std::span<std::uint32_t const>, Particles const&) override {}
     void give_up(Particles&, ContactLists&) override {}

@@ -32,6 +32,8 @@ class Partition
     //! Before a particle with this id is added: whether this process takes it, until the next rebuild sends
     //! it where it belongs.
     virtual bool takes(std::uint32_t id, Particles& particles) = 0;
+    //! \throws InputError where it cannot share bodies of several elements.
+    virtual void require_rigid_bodies() const = 0;
 
     //! Before neighbours are searched: particles, with the histories of their contacts, and ghosts are where
     //! they belong. \throws InputError, on all processes, where a period is too short.

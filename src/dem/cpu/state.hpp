@@ -5,6 +5,7 @@
 #include "src/dem/cpu/contact_list.hpp"
 #include "src/dem/cpu/energy_tally.hpp"
 #include "src/dem/cpu/neighbours.hpp"
+#include "src/dem/cpu/rigid_bodies.hpp"
 #include "src/dem/wall_set.hpp"
 
 #include <cstdint>
@@ -28,6 +29,7 @@ struct ListClock
 struct State
 {
     Particles particles = {}; //!< of this process
+    RigidBodies bodies = {};  //!< whose elements are particles
     WallSet walls = {};
     std::vector<WallLoad> wall_loads = {}; //!< by the particles of this process
     ContactLists contacts = {};

@@ -153,6 +153,18 @@ void visit_surroundings(Record& record, Tally& tally)
     record("ledger/vibration_to_come", tally.vibration_to_come);
 }
 
+//! There only where bodies are.
+template <class Record, class StateType>
+void visit_rigid_bodies(Record& record, StateType& state)
+{
+    record("particles/body", state.particles.body);
+    auto& bodies = state.bodies;
+    record("bodies/pose", bodies.pose), record("bodies/motion", bodies.motion);
+    record("bodies/mass", bodies.mass), record("bodies/load", bodies.load);
+    record("bodies/elements_end", bodies.elements_end), record("bodies/element", bodies.element);
+    record("bodies/arm", bodies.arm), record("bodies/image", bodies.image);
+}
+
 constexpr auto losses = std::array{std::pair{"ledger/lost_to_damping", &LossSums::damping},
                                    std::pair{"ledger/lost_to_friction", &LossSums::friction},
                                    std::pair{"ledger/lost_to_rolling", &LossSums::rolling},
@@ -166,7 +178,11 @@ void check_bodies(Params const& params, State const& state)
                    particles.material.size() == count && particles.id.size() == count &&
                    particles.ghosts <= count,
                "particles have columns of several lengths");
+    expect_fit(particles.body.empty() || particles.body.size() == count, "particles and their bodies");
+    expect_fit(state.bodies.is_whole(count), "bodies and their elements");
     for (std::size_t k = 0; k < count; ++k) {
+        expect_fit(particles.is_alone(k) || particles.body[k] < state.bodies.size(),
+                   "a particle is of a body that is not there");
         expect_fit(particles.material[k] < params.materials.size(), "a particle has no material");
         expect_fit(particles.id[k] < state.particles_added, "a particle has an id that was not given");
     }
@@ -212,6 +228,8 @@ void write_state(StateRecord& record, Params const& params, State const& state)
     visit_plain(write, state);
     if (params.options.surroundings.is_any())
         visit_surroundings(write, state.tally);
+    if (!state.bodies.empty())
+        visit_rigid_bodies(write, state);
     for (auto const& [name, sums] : losses) {
         auto const& lane = state.tally.losses.*sums;
         write(name, std::vector<double>(std::begin(lane), std::end(lane)));
@@ -232,6 +250,8 @@ State read_state(StateRecord const& record, Params const& params)
     visit_plain(read, state);
     if (params.options.surroundings.is_any())
         visit_surroundings(read, state.tally);
+    if (record.has("bodies/pose"))
+        visit_rigid_bodies(read, state);
     for (auto const& [name, sums] : losses) {
         auto const lane = record.get<double>(name);
         expect_fit(lane.size() == ContactBlock::lanes, "the losses have not as many lanes as a block");
@@ -250,6 +270,7 @@ State read_state(StateRecord const& record, Params const& params)
         state.contacts.add_law_set(layout.size, layout.scalars, with_ghosts);
     state.contacts.for_each([&](ContactList& list) { read_list(read, list); });
     check_bodies(params, state);
+    find_arms(state.bodies);
     return state;
 }
 

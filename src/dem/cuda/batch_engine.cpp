@@ -51,6 +51,9 @@ IdRange BatchEngine::add(BodyBatch const& bodies)
 
 void BatchEngine::add(Body const& body, Vector3 const& v)
 {
+    if (!body.is_sphere())
+        throw InputError(
+            "the engine \"cuda\" moves spheres only, no grains of several; use the engine \"cpu\"");
     double const r = body.radius;
     DEMENS_EXPECT(r > 0, "a body has a size");
     materials_.bodies_enter(batch_->params(slot_), body.material, 1, walls());
@@ -172,6 +175,7 @@ Counts BatchEngine::counts()
 {
     auto const [pairs, walls] = batch_->count_contacts(slot_);
     return {.particles = added_,
+            .elements = added_,
             .contacts = pairs,
             .wall_contacts = walls,
             .rebuilds = batch_->rebuilds(slot_),

@@ -22,6 +22,13 @@ void remove_ghosts(Particles& particles)
 
 } // namespace
 
+void Decomposition::require_rigid_bodies() const
+{
+    throw InputError(
+        "grains of several spheres cannot be shared among the ranks of a team; give such a run one "
+        "rank (ranks_per_group = 1)");
+}
+
 bool Decomposition::takes(std::uint32_t id, Particles& particles)
 {
     remove_ghosts(particles);

@@ -24,6 +24,7 @@ class Decomposition final : public Partition
 
     bool has_ghosts() const override { return true; }
     bool takes(std::uint32_t id, Particles& particles) override;
+    void require_rigid_bodies() const override;
     void distribute(Particles& particles, ContactLists& contacts, MeetingReach const& reach) override;
     void renumber(std::span<std::uint32_t const> new_numbers, Particles const& particles) override;
     void give_up(Particles& particles, ContactLists& contacts) override;

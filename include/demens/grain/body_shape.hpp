@@ -1,0 +1,43 @@
+#pragma once
+
+#include "demens/base/vector3.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace demens::grain {
+
+//! A ball of a grain, about the grain's centre of mass and in its principal axes.
+struct Ball
+{
+    Vector3 centre;
+    double radius;
+};
+
+//! A rigid grain that is the union of balls, which may overlap. All lengths are in radii of the sphere of the
+//! same volume: a grain of radius r [m] is r times as large, and has the mass of a sphere of radius r.
+struct BodyShape
+{
+    std::vector<Ball> balls;
+    Vector3 inertia; //!< principal moments over mass and radius squared [-]; of a sphere 0.4 each
+
+    bool is_sphere() const { return balls.size() == 1; }
+    //! Of the furthest point from the centre.
+    double reach() const
+    {
+        double furthest = 0;
+        for (Ball const& ball : balls)
+            furthest = std::max(furthest, norm(ball.centre) + ball.radius);
+        return furthest;
+    }
+    //! Radius of the smallest ball.
+    double smallest() const
+    {
+        double radius = balls.front().radius;
+        for (Ball const& ball : balls)
+            radius = std::min(radius, ball.radius);
+        return radius;
+    }
+};
+
+} // namespace demens::grain

@@ -1,0 +1,131 @@
+#include "src/dem/cpu/body_readings.hpp"
+
+#include "src/dem/cpu/energy_sums.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace demens::dem {
+
+BodyNow body_now(Params const& params, State const& state, std::size_t body)
+{
+    double const behind = catch_up(params, state).duration;
+    BodyMass const& m = state.bodies.mass[body];
+    BodyMotion const& motion = state.bodies.motion[body];
+    BodyNow now{motion.velocity, {}, 0, load_of(state.bodies, state.particles, body)};
+    Vector3 momentum = motion.angular_momentum;
+    if (behind > 0) {
+        now.velocity += behind * (now.load.force / m.mass + params.options.gravity);
+        momentum += behind * now.load.torque;
+    }
+    Rotation const axes = state.bodies.pose[body].orientation.rotation();
+    now.spin = spin_of(axes, momentum, m.inertia);
+    now.rotation_energy = 0.5 * dot(momentum, now.spin);
+    return now;
+}
+
+double kinetic_energy_of_bodies(Params const& params, State const& state)
+{
+    double energy = 0;
+    for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+        BodyNow const now = body_now(params, state, b);
+        energy += 0.5 * state.bodies.mass[b].mass * norm_squared(now.velocity) + now.rotation_energy;
+    }
+    return energy;
+}
+
+double potential_energy_of_bodies(Params const& params, State const& state)
+{
+    double energy = 0;
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        energy -= state.bodies.mass[b].mass * dot(params.options.gravity, state.bodies.pose[b].position);
+    return energy;
+}
+
+double largest_speed_of_bodies(Params const& params, State const& state)
+{
+    double squared = 0;
+    for (std::size_t b = 0; b < state.bodies.size(); ++b)
+        squared = std::max(squared, norm_squared(body_now(params, state, b).velocity));
+    return std::sqrt(squared);
+}
+
+void add_bodies(EnergyLedger& ledger, Params const& params, State const& state)
+{
+    double const half = 0.5 * params.options.time_step;
+    for (std::size_t b = 0; b < state.bodies.size(); ++b) {
+        // As of particles: the product of what moves before and after the kick at this place.
+        BodyNow const now = body_now(params, state, b);
+        BodyMass const& m = state.bodies.mass[b];
+        Vector3 const change = half * (now.load.force / m.mass + params.options.gravity);
+        Rotation const axes = state.bodies.pose[b].orientation.rotation();
+        ledger.kinetic_translation += 0.5 * m.mass * (norm_squared(now.velocity) - norm_squared(change));
+        ledger.kinetic_rotation +=
+            now.rotation_energy - rotational_energy(axes, half * now.load.torque, m.inertia);
+    }
+    ledger.potential += potential_energy_of_bodies(params, state);
+}
+
+double energy_on_entry_of_body(Params const& params, State const& state)
+{
+    std::size_t const b = state.bodies.size() - 1;
+    BodyMass const& m = state.bodies.mass[b];
+    BodyMotion const& motion = state.bodies.motion[b];
+    BodyPose const& pose = state.bodies.pose[b];
+    Vector3 const& gravity = params.options.gravity;
+    Vector3 const after = motion.velocity + params.options.time_step * gravity;
+    return m.mass * (0.5 * dot(motion.velocity, after) - dot(gravity, pose.position)) +
+           rotational_energy(pose.orientation.rotation(), motion.angular_momentum, m.inertia);
+}
+
+Particles elements_now(Params const& params, State const& state)
+{
+    Particles all = state.particles;
+    CatchUp const catches_up = catch_up(params, state);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (!all.is_alone(k))
+            continue;
+        Motion& m = all.motion[k];
+        Vector3 const v = catches_up.velocity(m, all.load[k]), w = catches_up.spin(m, all.load[k]);
+        m = {v.x, v.y, v.z, m.mass, w.x, w.y, w.z, m.inertia};
+    }
+    RigidBodies const& bodies = state.bodies;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        BodyNow const now = body_now(params, state, b);
+        Vector3 const& w = now.spin;
+        for (std::size_t e = bodies.elements_begin(b); e < bodies.elements_end[b]; ++e) {
+            Motion& m = all.motion[bodies.element[e]];
+            Vector3 const v = now.velocity + cross(w, bodies.arm_now[e]);
+            m = {v.x, v.y, v.z, m.mass, w.x, w.y, w.z, m.inertia};
+        }
+    }
+    return all;
+}
+
+Particles grains_now(Params const& params, State const& state)
+{
+    Particles const elements = elements_now(params, state);
+    Particles grains;
+    auto const add = [&](Place const& place, Motion const& motion, Load const& load, std::size_t first) {
+        grains.place.push_back(place), grains.motion.push_back(motion), grains.load.push_back(load);
+        grains.material.push_back(elements.material[first]), grains.id.push_back(elements.id[first]);
+    };
+    for (std::size_t k = 0; k < elements.size(); ++k)
+        if (elements.is_alone(k))
+            add(elements.place[k], elements.motion[k], elements.load[k], k);
+    RigidBodies const& bodies = state.bodies;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        BodyNow const now = body_now(params, state, b);
+        BodyMass const& m = bodies.mass[b];
+        Vector3 const &p = bodies.pose[b].position, &v = now.velocity, &w = now.spin;
+        Vector3 const &f = now.load.force, &t = now.load.torque;
+        double const turns = norm_squared(w);
+        double const inertia =
+            turns > 0 ? 2 * now.rotation_energy / turns : (m.inertia.x + m.inertia.y + m.inertia.z) / 3;
+        add({p.x, p.y, p.z, m.radius}, {v.x, v.y, v.z, m.mass, w.x, w.y, w.z, inertia},
+            {f.x, f.y, f.z, 0, t.x, t.y, t.z, 0}, bodies.element[bodies.elements_begin(b)]);
+    }
+    return grains;
+}
+
+} // namespace demens::dem

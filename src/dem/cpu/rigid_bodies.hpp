@@ -1,0 +1,83 @@
+#pragma once
+
+#include "demens/dem/body.hpp"
+#include "demens/dem/particles.hpp"
+#include "demens/dem/periods.hpp"
+#include "src/dem/rotation.hpp"
+
+#include <span>
+#include <vector>
+
+namespace demens::dem {
+
+//! Where a rigid body is.
+struct BodyPose
+{
+    Vector3 position; //!< of the centre of mass [m]
+    Quaternion orientation;
+};
+
+//! How it moves: half a time step behind its place, except before the first step.
+struct BodyMotion
+{
+    Vector3 velocity;         //!< [m/s]
+    Vector3 angular_momentum; //!< in the axes of space [kg m^2/s]
+};
+
+//! What stays.
+struct BodyMass
+{
+    double mass;     //!< [kg]
+    Vector3 inertia; //!< principal moments [kg m^2]
+    double radius;   //!< of the sphere of the same volume [m]
+};
+
+//! Force and torque about the centre of mass.
+struct BodyLoad
+{
+    Vector3 force, torque; //!< [N], [N m]
+};
+
+//! Bodies of several elements. The elements are particles like others for search, walls and contacts; their
+//! places and motions follow from those of their body, and the mass of each is that of the body. A sphere is
+//! its own body and is not in here. Bodies keep their order.
+struct RigidBodies
+{
+    std::vector<BodyPose> pose;
+    std::vector<BodyMotion> motion;
+    std::vector<BodyMass> mass;
+    std::vector<BodyLoad> load; //!< of the surroundings; what its elements bear is in their loads
+    std::vector<std::uint32_t> elements_end; //!< where its elements end in the columns below
+
+    // Of the elements, body after body
+    std::vector<std::uint32_t> element; //!< number of the particle
+    std::vector<Vector3> arm;           //!< from the centre, in the body's axes [m]
+    std::vector<Vector3> image;         //!< whole periods from where it would be to where it is [m]
+    std::vector<Vector3> arm_now;       //!< from the centre, in the axes of space; follows from the rest [m]
+
+    std::size_t size() const { return pose.size(); }
+    bool empty() const { return pose.empty(); }
+    std::size_t elements_begin(std::size_t body) const { return body > 0 ? elements_end[body - 1] : 0; }
+    //! Whether columns have the lengths that they should, for so many particles.
+    bool is_whole(std::size_t particles) const;
+};
+
+//! Adds a body and its elements, which get the ids from `first_id` on. \param velocity half a step behind
+//! [m/s]
+void add_body(RigidBodies& bodies, Particles& particles, Body const& body, Vector3 const& velocity,
+              double mass, std::uint32_t first_id);
+//! The particles have other numbers.
+void renumber(RigidBodies& bodies, std::span<std::uint32_t const> new_numbers);
+//! Brings bodies, and each of their elements, into the periods.
+void wrap(RigidBodies& bodies, Particles& particles, Periods const& periods);
+//! Finds `arm_now` again.
+void find_arms(RigidBodies& bodies);
+
+//! As `move_particles`, for the bodies and their elements: uses the loads up, returns the largest speed of an
+//! element [m/s].
+double move_rigid(RigidBodies& bodies, Particles& particles, double kick, double time_step,
+                  Vector3 const& gravity);
+//! What a body bears: the sum over its elements, in their order.
+BodyLoad load_of(RigidBodies const& bodies, Particles const& particles, std::size_t body);
+
+} // namespace demens::dem
