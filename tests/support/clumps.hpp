@@ -17,10 +17,10 @@ inline std::shared_ptr<grain::BodyShape const> shape_of_apart(std::vector<grain:
         volume += std::pow(ball.radius, 3);
     double const size = std::cbrt(volume);
     Vector3 inertia;
-    for (auto& [centre, radius] : balls) {
-        centre = centre / size, radius /= size;
+    for (auto& [place, radius] : balls) {
+        place = place / size, radius /= size;
         double const share = std::pow(radius, 3), own = 0.4 * radius * radius;
-        Vector3 const& c = centre;
+        Vector3 const& c = place;
         inertia += share * Vector3{own + c.y * c.y + c.z * c.z, own + c.x * c.x + c.z * c.z,
                                    own + c.x * c.x + c.y * c.y};
     }

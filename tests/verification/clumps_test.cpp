@@ -130,7 +130,7 @@ TEST(Clumps, FreeFallAndFreeTurnAsARigidBody)
     for (std::size_t a = 0; a < 6; ++a)
         for (std::size_t b = 0; b < a; ++b) {
             auto const &p = shape->balls[elements.id(a).value], &q = shape->balls[elements.id(b).value];
-            EXPECT_NEAR(norm(elements.position(a) - elements.position(b)), radius * norm(p.centre - q.centre),
+            EXPECT_NEAR(norm(elements.position(a) - elements.position(b)), radius * norm(p.place - q.place),
                         1e-12);
         }
     EXPECT_EQ(simulation.counts().contacts, 0u); // its own balls do not meet
@@ -179,7 +179,7 @@ TEST(Clumps, RodThatFallsOnAFloorMovesAsItsRigidBody)
     // Elastic and smooth: the rod bounces on either ball in turn. Its path is that of the two equations of
     // motion of a rigid body in a plane.
     auto const rod = rod_of(2);
-    double const ball = radius * rod->balls[0].radius, half = radius * rod->balls[1].centre.x;
+    double const ball = radius * rod->balls[0].radius, half = radius * rod->balls[1].place.x;
     double const modulus = stone.youngs_modulus / (2 * (1 - stone.poisson_ratio * stone.poisson_ratio));
     RodOnAFloor const plane{ball, half, modulus, mass * radius * radius * rod->inertia.y, mass * g};
     double const angle = 0.5, height = 3 * radius, dt = 1e-6;
@@ -209,7 +209,7 @@ TEST(Clumps, BallOfARodThatHitsAFloorComesBackAsFast)
     pair.restitution = 1;
     pair.static_friction = pair.kinetic_friction = 0;
     double const angle = 0.4, speed = 0.5;
-    double const ball = radius * rod->balls[0].radius, half = radius * rod->balls[1].centre.x;
+    double const ball = radius * rod->balls[0].radius, half = radius * rod->balls[1].place.x;
     dem::Simulation simulation(one_material(hard, pair), {.time_step = 1e-8, .gravity = {}, .skin = 1e-4});
     simulation.add(body_of(rod, {0, 0, ball + half * std::sin(angle) + 1e-9}, {0.1, 0, -speed}, {},
                            quaternion_about({0, -angle, 0})));

@@ -1,24 +1,16 @@
 #pragma once
 
-#include "demens/base/vector3.hpp"
+#include "demens/grain/clump.hpp"
 
 #include <algorithm>
-#include <vector>
 
 namespace demens::grain {
 
-//! A ball of a grain, about the grain's centre of mass and in its principal axes.
-struct Ball
-{
-    Vector3 centre;
-    double radius;
-};
-
-//! A rigid grain that is the union of balls, which may overlap. All lengths are in radii of the sphere of the
+//! A rigid grain that is the union of balls, about its centre of mass and in its principal axes. All lengths are in radii of the sphere of the
 //! same volume: a grain of radius r [m] is r times as large, and has the mass of a sphere of radius r.
 struct BodyShape
 {
-    std::vector<Ball> balls;
+    Clump balls;
     Vector3 inertia; //!< principal moments over mass and radius squared [-]; of a sphere 0.4 each
 
     bool is_sphere() const { return balls.size() == 1; }
@@ -27,7 +19,7 @@ struct BodyShape
     {
         double furthest = 0;
         for (Ball const& ball : balls)
-            furthest = std::max(furthest, norm(ball.centre) + ball.radius);
+            furthest = std::max(furthest, norm(ball.place) + ball.radius);
         return furthest;
     }
     //! Radius of the smallest ball.

@@ -49,7 +49,7 @@ void add_body(RigidBodies& bodies, Particles& particles, Body const& body, Vecto
     auto const number = static_cast<std::uint32_t>(bodies.size());
     particles.body.resize(particles.size(), Particles::alone);
     for (grain::Ball const& ball : body.shape->balls) {
-        Vector3 const arm = r * ball.centre, arm_now = axes(arm), place = body.position + arm_now;
+        Vector3 const arm = r * ball.place, arm_now = axes(arm), place = body.position + arm_now;
         Vector3 const v = velocity + cross(body.spin, arm_now);
         bodies.element.push_back(static_cast<std::uint32_t>(particles.size()));
         bodies.arm.push_back(arm), bodies.arm_now.push_back(arm_now), bodies.image.push_back({});
