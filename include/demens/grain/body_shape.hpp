@@ -6,8 +6,9 @@
 
 namespace demens::grain {
 
-//! A rigid grain that is the union of balls, about its centre of mass and in its principal axes. All lengths are in radii of the sphere of the
-//! same volume: a grain of radius r [m] is r times as large, and has the mass of a sphere of radius r.
+//! A rigid grain that is the union of balls, about its centre of mass and in its principal axes. All lengths
+//! are in radii of the sphere of the same volume: a grain of radius r [m] is r times as large, and has the
+//! mass of a sphere of radius r.
 struct BodyShape
 {
     Clump balls;
