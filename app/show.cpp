@@ -1,25 +1,10 @@
 #include "app/command.hpp"
-#include "ensemble/status.hpp"
 #include "report/export.hpp"
 #include "report/report.hpp"
 
 #include <fmt/format.h>
 
 namespace demens::cli {
-
-void add_status(CLI::App& program, Action& action)
-{
-    auto file = std::make_shared<std::string>();
-    auto* command =
-        program.add_subcommand("status", "waves, runs done, running and failed, best fit so far, time left");
-    command->add_option("FILE.h5", *file, "campaign file; may be running")->required();
-    command->callback([file, &action] {
-        action = [file] {
-            fmt::print("{}", ensemble::status_text(*file));
-            return success;
-        };
-    });
-}
 
 void add_report(CLI::App& program, Action& action)
 {

@@ -5,6 +5,7 @@
 #include "ensemble/file/run_tables.hpp"
 #include "ensemble/gather.hpp"
 #include "ensemble/run/execute.hpp"
+#include "ensemble/run/schedule.hpp"
 #include "ensemble/run/stop.hpp"
 #include "ensemble/run/wave_runner.hpp"
 #include "ensemble/shared_campaign.hpp"
@@ -77,15 +78,18 @@ struct Session::Implementation
             }
             if (!state.poisonous.empty())
                 state = parts.inspect(wave, campaign->input);
+            std::map<int, double> measured;
             for (auto const& finished : state.finished) {
+                if (finished.record.status == rig::RunStatus::finished)
+                    measured[finished.record.run] = finished.record.wall_time;
                 work.clock = std::max(work.clock, finished.record.start_time + finished.record.wall_time);
                 ++counts[0];
                 counts[1] += finished.record.status != rig::RunStatus::finished;
             }
             crcs.assign(state.crcs.begin(), state.crcs.end());
-            auto const seconds = expected_seconds(*campaign, wave);
-            work.pending = longest_first(state.pending, seconds);
-            work.suspicious = longest_first(state.suspicious, seconds);
+            work.seconds = expected_times(*campaign, wave, measured).seconds;
+            work.pending = longest_first(state.pending, work.seconds);
+            work.suspicious = longest_first(state.suspicious, work.seconds);
         });
         broadcast(communicator, work.pending);
         broadcast(communicator, work.suspicious);
@@ -94,7 +98,8 @@ struct Session::Implementation
         MPI_Bcast(&work.clock, 1, MPI_DOUBLE, 0, communicator);
         work.done = counts[0];
         work.failed = counts[1];
-        work.seconds = expected_seconds(*campaign, wave);
+        work.seconds.resize(wave.runs.size());
+        MPI_Bcast(work.seconds.data(), static_cast<int>(work.seconds.size()), MPI_DOUBLE, 0, communicator);
         return work;
     }
 

@@ -1,6 +1,7 @@
 #include "demens/base/error.hpp"
 #include "ensemble/file/run_tables.hpp"
 #include "ensemble/run/execute.hpp"
+#include "ensemble/run/schedule.hpp"
 #include "ensemble/run/stop.hpp"
 #include "ensemble/run/wave_runner.hpp"
 #include "ensemble/session.hpp"
@@ -52,7 +53,7 @@ WaveEnd run_shards(MPI_Comm parent, std::filesystem::path const& file, int task,
     });
 
     WaveWork work;
-    work.seconds = expected_seconds(campaign, wave);
+    work.seconds = expected_times(campaign, wave).seconds;
     on_root(communicator, [&] {
         auto const state = parts.inspect(wave, campaign.input);
         work.pending = longest_first(own_rows(state.pending, wave, task, tasks), work.seconds);

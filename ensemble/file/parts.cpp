@@ -55,7 +55,7 @@ void Parts::store(FinishedRun const& run, CampaignInput const& input, Journal& j
     write_details(writer, wave.number, wave.runs, {run.details}, input);
     auto const image = file.take_image();
     write_durably(shard(run.record.run), image);
-    journal.end(run.record.run, crc32_of(image), static_cast<int>(run.record.status));
+    journal.end(run.record.run, crc32_of(image), static_cast<int>(run.record.status), run.record.wall_time);
 }
 
 std::uintmax_t Parts::shard_size(RunRecord const& plan) const

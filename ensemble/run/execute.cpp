@@ -217,35 +217,4 @@ Wave plan_runs(Campaign const& campaign, WavePlan const& plan)
     return wave;
 }
 
-std::vector<double> expected_seconds(Campaign const& campaign, Wave const& wave)
-{
-    struct Rate
-    {
-        double seconds = 0, cost = 0;
-    };
-    std::vector<Rate> rates(campaign.input.experiments.size() + 1); // the last one: all experiments
-    for (auto const& past : campaign.waves)
-        for (auto const& run : past.runs)
-            if (run.status == rig::RunStatus::finished)
-                for (auto const e : {static_cast<std::size_t>(run.experiment), rates.size() - 1}) {
-                    rates[e].seconds += run.wall_time;
-                    rates[e].cost += run.predicted_cost;
-                }
-    std::vector<double> seconds;
-    for (auto const& run : wave.runs) {
-        auto const& own = rates[static_cast<std::size_t>(run.experiment)];
-        auto const& rate = own.cost > 0 ? own : rates.back();
-        seconds.push_back(run.predicted_cost * (rate.cost > 0 ? rate.seconds / rate.cost : 1e-7));
-    }
-    return seconds;
-}
-
-std::vector<int> longest_first(std::vector<int> rows, std::vector<double> const& seconds)
-{
-    std::stable_sort(rows.begin(), rows.end(), [&](int a, int b) {
-        return seconds[static_cast<std::size_t>(a)] > seconds[static_cast<std::size_t>(b)];
-    });
-    return rows;
-}
-
 } // namespace demens::ensemble

@@ -25,10 +25,4 @@ rig::RunInput run_input_of(CampaignInput const& input, RunRecord const& plan);
 //! fit the campaign
 Wave plan_runs(Campaign const& campaign, WavePlan const& plan);
 
-//! Wall seconds that each run of a wave may take: predicted costs times the rates that finished runs show.
-std::vector<double> expected_seconds(Campaign const& campaign, Wave const& wave);
-
-//! Rows of a wave, longest expected run first, in the order of the numbers where equal.
-std::vector<int> longest_first(std::vector<int> rows, std::vector<double> const& seconds);
-
 } // namespace demens::ensemble

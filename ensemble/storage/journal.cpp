@@ -31,6 +31,7 @@ struct Entry
     int run = 0;
     std::string value;
     int status = -1;
+    double seconds = -1;
     bool was_asked_to_end = false; //!< a death after that is not the run's doing
 };
 
@@ -45,6 +46,8 @@ std::optional<Entry> parse(std::string const& line)
     in >> entry.value;
     if (int status = 0; in >> status)
         entry.status = status;
+    if (double seconds = 0; in >> seconds)
+        entry.seconds = seconds;
     return entry;
 }
 
@@ -85,6 +88,7 @@ void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
                 history.shard_crcs.push_back(
                     static_cast<std::uint32_t>(std::stoul(entry->value, nullptr, 16)));
                 history.status = entry->status;
+                history.seconds = entry->seconds;
             }
             if (entry->verb == "CRASH") {
                 ++history.crashes;
@@ -135,9 +139,9 @@ void Journal::start(int run, Company company)
     append(fmt::format("{} {} {:.3f}", company == Company::alone ? "ALONE" : "START", run, now()));
 }
 
-void Journal::end(int run, std::uint32_t shard_crc, int status)
+void Journal::end(int run, std::uint32_t shard_crc, int status, double seconds)
 {
-    append(fmt::format("END {} {:08x} {}", run, shard_crc, status));
+    append(fmt::format("END {} {:08x} {} {:.6g}", run, shard_crc, status, seconds));
 }
 
 void Journal::drain(int run)

@@ -15,10 +15,10 @@ namespace demens::ensemble {
 //!     <CRC of the rest> BEGIN 0 1732243967.456     the process begins: what was in progress before has died
 //!     <CRC of the rest> START 17 1732243968.123    begun, other runs beside it, maybe of this process too
 //!     <CRC of the rest> ALONE 17 1732243968.123    begun with nothing beside it
-//!     <CRC of the rest> END 17 <CRC of the shard> <status>  complete, the shard is on the disk
-//!     <CRC of the rest> DRAIN 17                   given up on request; begin it again
-//!     <CRC of the rest> STOP 17                    the process was asked to end (SIGTERM, SIGINT) meanwhile
-//!     <CRC of the rest> CRASH 17 <signal>          the process received a deadly signal while it simulated
+//!     <CRC of the rest> END 17 <CRC of the shard> <status> 12.3  complete, the shard is on the disk; how
+//!     long it took [s] <CRC of the rest> DRAIN 17                   given up on request; begin it again <CRC
+//!     of the rest> STOP 17                    the process was asked to end (SIGTERM, SIGINT) meanwhile <CRC
+//!     of the rest> CRASH 17 <signal>          the process received a deadly signal while it simulated
 //!
 //! A line whose CRC is wrong, e.g. one cut off by a kill, is as if it were not there.
 class Journal
@@ -33,7 +33,7 @@ class Journal
         alone
     };
     void start(int run, Company company);
-    void end(int run, std::uint32_t shard_crc, int status);
+    void end(int run, std::uint32_t shard_crc, int status, double seconds);
     void drain(int run);
     //! Lines that tell of a crash or of a request to end, made beforehand for a signal handler.
     std::string crash_line(int run, int signal) const;
@@ -52,6 +52,7 @@ struct RunHistory
 {
     std::vector<std::uint32_t> shard_crcs; //!< one per END; a whole shard has one of them
     int status = -1;                       //!< of the last END; -1: not known
+    double seconds = -1;                   //!< [s] that it took, of the last END; -1: not known
     int deaths = 0;                        //!< starts that ended without a word, with other runs beside it
     int deaths_alone = 0;                  //!< the same with nothing beside it
     int crashes = 0;                       //!< deadly signals

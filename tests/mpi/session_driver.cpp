@@ -10,7 +10,7 @@
 #include "tests/mpi/formula_rig.hpp"
 
 #include "demens/base/error.hpp"
-#include "ensemble/status.hpp"
+#include "ensemble/status/status_text.hpp"
 #include "ensemble/storage/durable.hpp"
 
 #include <cstdlib>
@@ -135,7 +135,7 @@ int alone(std::vector<std::string> const& arguments)
     } else if (arguments[0] == "dump") {
         dump(file);
     } else {
-        fmt::print("{}", status_text(file, driver_rigs()));
+        fmt::print("{}", status_text(read_status(file, driver_rigs())));
     }
     return 0;
 }

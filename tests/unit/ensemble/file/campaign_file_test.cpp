@@ -1,7 +1,6 @@
 #include "demens/base/error.hpp"
 #include "ensemble/file/hdf5.hpp"
 #include "ensemble/session.hpp"
-#include "ensemble/status.hpp"
 #include "ensemble/storage/durable.hpp"
 #include "ensemble/verdict.hpp"
 #include "tests/mpi/formula_rig.hpp"
@@ -127,31 +126,4 @@ TEST(CampaignFile, RefusesATruncatedFile)
     create("cut.h5");
     std::filesystem::resize_file("cut.h5", std::filesystem::file_size("cut.h5") / 2);
     EXPECT_NE(refusal("cut.h5").find("cut.h5: damaged"), std::string::npos) << refusal("cut.h5");
-}
-
-TEST(Status, StatesNoIntervalThatNoRunSupports)
-{
-    Campaign campaign;
-    campaign.input = CampaignInput::from_text(formula_campaign(), "test", formula_rigs());
-    campaign.waves.resize(1);
-    auto add = [&](stored::ArrayName const& name, std::vector<double> values) {
-        campaign.waves[0].analysis.push_back({name.path, {values.size()}, values, name.units, name.doc});
-    };
-    add(stored::optimum::wmse, {0.5});
-    add(stored::optimum::best_point, {0.31, 0.42});
-    add(stored::optimum::estimate, {0.35, 0.44});
-    add(stored::optimum::factor_interval, {0.34, 0.36, 0.4, 0.5});
-    add(stored::optimum::factor_verdict, {static_cast<double>(Verdict::extrapolated), 0});
-    auto const text = best_fit_text(campaign);
-    EXPECT_NE(text.find("0.31   not determined: extrapolated to where runs fail\n"), std::string::npos)
-        << text;
-    EXPECT_NE(text.find("0.42   estimate 0.44, 95 % 0.4 to 0.5\n"), std::string::npos) << text;
-}
-
-TEST(Status, OfANewCampaign)
-{
-    create("new.h5");
-    auto const text = status_text("new.h5", formula_rigs());
-    EXPECT_NE(text.find("not running; go on with: mpirun -n N demens new.h5"), std::string::npos) << text;
-    EXPECT_NE(text.find("best fit   none yet"), std::string::npos) << text;
 }

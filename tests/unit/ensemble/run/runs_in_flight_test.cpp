@@ -25,7 +25,7 @@ TEST(RunsInFlight, ThoseThatHaveNotEndedBeginAgain)
             flight.start(row, Journal::Company::others, 0.5 * row);
         flight.note_signals();
         EXPECT_EQ(flight.end(1), 0.5);
-        journal.end(11, 7, 1);
+        journal.end(11, 7, 1, 1);
         flight.note_signals();
         EXPECT_EQ(flight.give_up(), (std::deque{0, 2, 3}));
         EXPECT_TRUE(flight.give_up().empty());

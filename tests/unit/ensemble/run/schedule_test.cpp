@@ -1,6 +1,7 @@
 #include "demens/base/error.hpp"
 #include "ensemble/progress.hpp"
 #include "ensemble/run/execute.hpp"
+#include "ensemble/run/schedule.hpp"
 #include "tests/mpi/formula_rig.hpp"
 
 #include <cmath>
@@ -70,9 +71,15 @@ TEST(Schedule, PredictionsAreCorrectedFromFinishedRuns)
         run.wall_time = run.experiment == 0 ? 30 : 4;
     }
     auto const wave = plan_runs(campaign, {WavePurpose::search, {{1.0, 0.5}}}); // twice the cost
-    auto const seconds = expected_seconds(campaign, wave);
-    EXPECT_DOUBLE_EQ(seconds[0], 60);
-    EXPECT_DOUBLE_EQ(seconds[2], 8);
+    auto const expected = expected_times(campaign, wave);
+    EXPECT_DOUBLE_EQ(expected.seconds[0], 60);
+    EXPECT_DOUBLE_EQ(expected.seconds[2], 8);
+    EXPECT_EQ(expected.finished, 3);
+    EXPECT_EQ(expected.scatter, 0);
+    auto const corrected =
+        expected_times(campaign, wave, {{wave.runs[2].run, 16}}); // twice as long as expected
+    EXPECT_DOUBLE_EQ(corrected.seconds[0], 60);
+    EXPECT_DOUBLE_EQ(corrected.seconds[2], 2e6 * (4. + 16.) / 3e6);
 }
 
 TEST(Execute, WhateverGoesWrongIsAStatus)

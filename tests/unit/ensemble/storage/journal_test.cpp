@@ -37,7 +37,7 @@ TEST_F(JournalTest, CountsDeathsByWhatWasWritten)
     {
         Journal journal(folder_, "rank-0000");
         journal.start(1, Journal::Company::others);
-        journal.end(1, 0xabcd1234u, 5);
+        journal.end(1, 0xabcd1234u, 5, 12.5);
         journal.start(2, Journal::Company::others); // killed
     }
     {
@@ -55,6 +55,7 @@ TEST_F(JournalTest, CountsDeathsByWhatWasWritten)
     auto histories = read_journals(folder_);
     EXPECT_EQ(histories[1].shard_crcs, std::vector<std::uint32_t>{0xabcd1234u});
     EXPECT_EQ(histories[1].status, 5);
+    EXPECT_EQ(histories[1].seconds, 12.5);
     EXPECT_EQ(histories[1].deaths, 0);
     EXPECT_EQ(histories[2].deaths, 2);
     EXPECT_TRUE(histories[2].open);
@@ -72,7 +73,7 @@ TEST_F(JournalTest, AProcessMayHaveSeveralRunsInProgress)
         Journal journal(folder_, "rank-0000");
         for (int run = 1; run <= 4; ++run)
             journal.start(run, Journal::Company::others);
-        journal.end(2, 7, 1);
+        journal.end(2, 7, 1, 1);
         journal.drain(3); // then killed
     }
     auto histories = read_journals(folder_);
@@ -89,7 +90,7 @@ TEST_F(JournalTest, AProcessMayHaveSeveralRunsInProgress)
     EXPECT_FALSE(histories[1].open);
     EXPECT_EQ(histories[1].deaths, 1);
     journal.start(1, Journal::Company::others);
-    journal.end(1, 8, 1);
+    journal.end(1, 8, 1, 1);
     EXPECT_EQ(read_journals(folder_)[1].deaths, 1);
 }
 
@@ -112,9 +113,9 @@ TEST_F(JournalTest, DamagedLinesAreAsIfTheyWereNotThere)
     {
         Journal journal(folder_, "rank-0000");
         journal.start(1, Journal::Company::others);
-        journal.end(1, 7, 1);
+        journal.end(1, 7, 1, 1);
         journal.start(2, Journal::Company::others);
-        journal.end(2, 8, 1);
+        journal.end(2, 8, 1, 1);
     }
     // Cut at every length: no cut makes a line that was not written, and the next line is whole again.
     auto const whole = read_bytes(file);
