@@ -20,8 +20,11 @@ using Action = std::function<int()>;
 // Each adds one subcommand, which sets the action when it is named.
 void add_new(CLI::App& program, Action& action);
 void add_try(CLI::App& program, Action& action);
+void add_plan(CLI::App& program, Action& action);
 void add_run(CLI::App& program, Action& action);
 void add_status(CLI::App& program, Action& action);
+void add_redo(CLI::App& program, Action& action);
+void add_drop(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
 void add_export(CLI::App& program, Action& action);
 void add_replay(CLI::App& program, Action& action);

@@ -14,6 +14,7 @@ constexpr char const* footer = R"(
 a campaign:
   demens try FILE.toml --plan           what it would simulate; without --plan: once, at the base values
   demens new FILE.toml                  check it and write FILE.h5
+  demens plan FILE.h5                   how many ranks, how long, how much memory
   mpirun -n N demens FILE.h5            run it, or go on with it; safe to kill and repeat
   mpirun -n N demens FILE.toml          both in one
   demens status FILE.h5                 how far it is
@@ -21,6 +22,7 @@ a campaign:
   demens report FILE.h5                 one HTML page with the plots
   demens export FILE.h5                 runs, curves and the best point as CSV and TOML
   demens replay FILE.h5 --run 17 --frames out/
+  demens redo FILE.h5 --run 17          have a run run again; drop: take it out of the fits
 
 exit codes:
   0   done
@@ -56,8 +58,11 @@ int do_what_is_asked(int argc, char** argv)
     program.add_option("FILE", file, "campaign file or TOML file to run");
     cli::add_new(program, action);
     cli::add_try(program, action);
+    cli::add_plan(program, action);
     cli::add_run(program, action);
     cli::add_status(program, action);
+    cli::add_redo(program, action);
+    cli::add_drop(program, action);
     cli::add_report(program, action);
     cli::add_export(program, action);
     cli::add_replay(program, action);

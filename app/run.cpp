@@ -1,6 +1,7 @@
 #include "app/command.hpp"
 #include "app/mpi_scope.hpp"
 #include "app/new_campaign.hpp"
+#include "demens/base/words.hpp"
 #include "ensemble/mpi/agreement.hpp"
 #include "ensemble/session.hpp"
 #include "gap/campaign/diagnose.hpp"
@@ -20,11 +21,20 @@ namespace fs = std::filesystem;
 struct ArrayTask
 {
     int task = 0, tasks = 0;
+    bool gathers = false; //!< takes in what the tasks have left, and plans the next wave
 };
 
-int calibrate(fs::path const& file)
+std::string left_text(ensemble::Campaign const& campaign)
 {
-    ensemble::Session session(MPI_COMM_WORLD, file);
+    auto const* open = campaign.open_wave();
+    return open ? fmt::format("wave {} ({}) is planned: its runs are for the tasks of a job array",
+                              open->number, word_for(open->purpose))
+                : "";
+}
+
+int calibrate(fs::path const& file, bool simulates)
+{
+    ensemble::Session session(MPI_COMM_WORLD, file, {.simulates = simulates});
     auto const end = tao_calib::calibrate(session);
     bool const is_root = ensemble::rank_of(MPI_COMM_WORLD) == 0;
     if (is_root && end != tao_calib::CalibrationEnd::drained)
@@ -37,7 +47,8 @@ int calibrate(fs::path const& file)
     }
     if (stopped) {
         if (is_root)
-            fmt::print("stopped as asked; nothing is lost, go on with the same command\n");
+            fmt::print("{}\n", simulates ? "stopped as asked; nothing is lost, go on with the same command"
+                                         : left_text(session.campaign()));
         return drained;
     }
     switch (end) {
@@ -59,7 +70,7 @@ int run_file(fs::path const& file, ArrayTask const& array)
         ensemble::on_root(MPI_COMM_WORLD, [&] { make_or_accept(file, campaign_file); });
     }
     if (array.tasks == 0)
-        return calibrate(campaign_file);
+        return calibrate(campaign_file, !array.gathers);
     auto const end = ensemble::run_shards(MPI_COMM_WORLD, campaign_file, array.task, array.tasks);
     return end == ensemble::WaveEnd::drained ? drained : success;
 }
@@ -88,6 +99,12 @@ void add_run(CLI::App& program, Action& action)
                       ->check(CLI::PositiveNumber);
     task->needs(tasks);
     tasks->needs(task);
+    command
+        ->add_flag(
+            "--gather", options->array.gathers,
+            "between job arrays: take in what their tasks have left, plan the next wave, simulate nothing; "
+            "exit code 75: there are runs for tasks")
+        ->excludes(task);
     command->callback([options, &action] {
         action = [options] { return on_all_ranks([&] { return run_file(options->file, options->array); }); };
     });

@@ -31,6 +31,13 @@ bool is_complete(Wave const& wave)
                         [](RunRecord const& run) { return run.status == rig::RunStatus::not_run; });
 }
 
+Wave const* Campaign::open_wave() const
+{
+    auto const found =
+        std::find_if(waves.begin(), waves.end(), [](auto const& wave) { return !is_complete(wave); });
+    return found == waves.end() ? nullptr : &*found;
+}
+
 int Campaign::runs_planned() const
 {
     int count = 0;

@@ -113,6 +113,8 @@ struct Campaign
     std::vector<Wave> waves;
     std::string ended; //!< why the campaign ended; empty while it goes on
 
+    //! The first wave of which runs are to be run, or null.
+    Wave const* open_wave() const;
     int runs_planned() const;
     int points_planned() const;
     //! All records of all waves in the order of their numbers.

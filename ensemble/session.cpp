@@ -48,7 +48,7 @@ struct Session::Implementation
         campaign = std::make_unique<Campaign>(read_for_all(communicator, file, options.rigs));
         on_all(communicator, [&] { require_engine(campaign->input.run); });
         groups = std::make_unique<Groups>(communicator, campaign->input.run.ranks_per_group);
-        if (is_root() && (campaign->waves.empty() || is_complete(campaign->waves.back())))
+        if (is_root() && !campaign->open_wave())
             parts.remove(); // left over from a kill between a gather and its tidying up
     }
 
@@ -84,10 +84,12 @@ struct Session::Implementation
                     measured[finished.record.run] = finished.record.wall_time;
                 work.clock = std::max(work.clock, finished.record.start_time + finished.record.wall_time);
                 ++counts[0];
-                counts[1] += finished.record.status != rig::RunStatus::finished;
+                counts[1] += rig::has_failed(finished.record.status);
             }
             crcs.assign(state.crcs.begin(), state.crcs.end());
-            work.seconds = expected_times(*campaign, wave, measured).seconds;
+            auto const expected = expected_times(*campaign, wave, measured);
+            work.seconds = expected.seconds;
+            work.limits = wall_time_limits(campaign->input.run, expected);
             work.pending = longest_first(state.pending, work.seconds);
             work.suspicious = longest_first(state.suspicious, work.seconds);
         });
@@ -98,8 +100,8 @@ struct Session::Implementation
         MPI_Bcast(&work.clock, 1, MPI_DOUBLE, 0, communicator);
         work.done = counts[0];
         work.failed = counts[1];
-        work.seconds.resize(wave.runs.size());
-        MPI_Bcast(work.seconds.data(), static_cast<int>(work.seconds.size()), MPI_DOUBLE, 0, communicator);
+        broadcast(communicator, work.seconds);
+        broadcast(communicator, work.limits);
         return work;
     }
 
@@ -110,10 +112,41 @@ struct Session::Implementation
         finished.wave.wall_time = work.clock;
         gather(communicator, file, campaign->input, parts, finished);
         on_root(communicator, [&] {
-            campaign->waves.back() = read_wave(open_campaign(file), plan.number, campaign->input);
-            parts.remove();
+            auto& wave = campaign->waves[static_cast<std::size_t>(plan.number)];
+            wave = read_wave(open_campaign(file), plan.number, campaign->input);
+            if (campaign->open_wave())
+                parts.remove_shards(wave);
+            else
+                parts.remove();
         });
-        share_last_wave(communicator, *campaign);
+        share_wave(communicator, *campaign, plan.number);
+    }
+
+    //! Runs what a wave lacks, and gathers it.
+    WaveEnd run(Wave wave)
+    {
+        std::unique_ptr<Journal> journal;
+        on_root(communicator, [&] { parts.make_folder(); });
+        on_all(communicator, [&] {
+            if (groups->leads())
+                journal = std::make_unique<Journal>(parts.folder(),
+                                                    fmt::format("rank-{:04}", rank_of(communicator)));
+        });
+        for (int round = 0;; ++round) {
+            std::vector<int> crcs;
+            auto const work = inspect(wave, crcs, journal.get());
+            if (work.pending.empty() && work.suspicious.empty()) {
+                gather_wave(wave, work, crcs);
+                return WaveEnd::complete;
+            }
+            if (!options.simulates || is_stop_requested(communicator))
+                return WaveEnd::drained;
+            if (round == 3) // a second round is due only when a shard was damaged after it was written
+                throw FileError(fmt::format("{}: finished runs cannot be read back; the disk may be failing",
+                                            parts.folder().string()));
+            WaveRunner runner(communicator, *groups, campaign->input, parts);
+            runner.run(wave, work, journal.get(), options.progress);
+        }
     }
 
     int exceptions_before = std::uncaught_exceptions();
@@ -154,7 +187,8 @@ void Session::plan_wave(WavePlan const& plan)
 {
     auto& self = *implementation_;
     auto& campaign = *self.campaign;
-    assert(campaign.waves.empty() || is_complete(campaign.waves.back()));
+    assert(!campaign.open_wave());
+    auto const number = static_cast<int>(campaign.waves.size());
     on_root(self.communicator, [&] {
         auto wave = plan_runs(campaign, plan);
         if (wave.runs.empty())
@@ -165,52 +199,31 @@ void Session::plan_wave(WavePlan const& plan)
         });
         campaign.waves.push_back(std::move(wave));
     });
-    share_last_wave(self.communicator, campaign);
+    share_wave(self.communicator, campaign, number);
 }
 
-WaveEnd Session::run_wave()
+WaveEnd Session::run_waves()
 {
     auto& self = *implementation_;
-    if (self.campaign->waves.empty() || is_complete(self.campaign->waves.back()))
-        return WaveEnd::complete;
-    auto wave = self.campaign->waves.back();
-    std::unique_ptr<Journal> journal;
-    on_root(self.communicator, [&] { self.parts.make_folder(); });
-    on_all(self.communicator, [&] {
-        if (self.groups->leads())
-            journal = std::make_unique<Journal>(self.parts.folder(),
-                                                fmt::format("rank-{:04}", rank_of(self.communicator)));
-    });
-    for (int round = 0;; ++round) {
-        std::vector<int> crcs;
-        auto const work = self.inspect(wave, crcs, journal.get());
-        if (work.pending.empty() && work.suspicious.empty()) {
-            self.gather_wave(wave, work, crcs);
-            return WaveEnd::complete;
-        }
-        if (is_stop_requested(self.communicator))
+    while (auto const* open = self.campaign->open_wave())
+        if (self.run(*open) == WaveEnd::drained)
             return WaveEnd::drained;
-        if (round == 3) // a second round is due only when a shard was damaged after it was written
-            throw FileError(fmt::format("{}: finished runs cannot be read back; the disk may be failing",
-                                        self.parts.folder().string()));
-        WaveRunner runner(self.communicator, *self.groups, self.campaign->input, self.parts);
-        runner.run(wave, work, journal.get(), self.options.progress);
-    }
+    return WaveEnd::complete;
 }
 
 void Session::store_analysis(std::vector<NamedArray> const& analysis)
 {
     auto& self = *implementation_;
     auto& campaign = *self.campaign;
+    auto const number = static_cast<int>(campaign.waves.size()) - 1;
     on_root(self.communicator, [&] {
-        auto const wave = static_cast<int>(campaign.waves.size()) - 1;
         auto bytes = small_change;
         for (auto const& array : analysis)
             bytes += 4096 + 8 * array.data.size();
-        update_file(self.file, bytes, [&](hid_t file) { write_analysis(file, wave, analysis); });
-        campaign.waves.back() = read_wave(open_campaign(self.file), wave, campaign.input);
+        update_file(self.file, bytes, [&](hid_t file) { write_analysis(file, number, analysis); });
+        campaign.waves.back() = read_wave(open_campaign(self.file), number, campaign.input);
     });
-    share_last_wave(self.communicator, campaign);
+    share_wave(self.communicator, campaign, number);
 }
 
 void Session::end(std::string const& reason)

@@ -14,7 +14,8 @@ namespace demens::ensemble {
 enum class WaveEnd
 {
     complete, //!< every run has a status and the campaign file holds them
-    drained   //!< asked to stop (SIGUSR1, SIGTERM): nothing lost, go on later; the program exits with 75
+    drained //!< asked to stop (SIGUSR1, SIGTERM), or runs are left to others: go on later; the program exits
+            //!< with 75
 };
 
 //! What a session can be told beside the campaign.
@@ -22,6 +23,7 @@ struct SessionOptions
 {
     Rigs const& rigs = rig::all_rigs(); //!< must outlive the session
     std::FILE* progress = stderr;       //!< where rank 0 shows how a wave goes on; null: nowhere
+    bool simulates = true;              //!< false: only takes in what tasks of a job array have left
 };
 
 //! A campaign file open for work by all ranks of a communicator. Every member function is collective, and
@@ -42,8 +44,9 @@ class Session
     void plan_wave(WavePlan const& plan);
     //! The same with all experiments that calibrate and their replicates at each design point (own units).
     void plan_wave(WavePurpose purpose, std::vector<std::vector<double>> const& points);
-    //! Runs what the last wave still lacks, longest predicted run first, and gathers it into the file.
-    WaveEnd run_wave();
+    //! Runs what waves still lack, first wave first, longest predicted run first, and gathers each into the
+    //! file.
+    WaveEnd run_waves();
     //! Stores what the calibration made of the runs with the last wave. Rank 0's arguments count.
     void store_analysis(std::vector<NamedArray> const& analysis);
     //! Marks the campaign as ended for the given reason.

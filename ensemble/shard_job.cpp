@@ -37,9 +37,9 @@ WaveEnd run_shards(MPI_Comm parent, std::filesystem::path const& file, int task,
     std::unique_ptr<PresenceMark> presence;
     on_all(communicator, [&] { presence = std::make_unique<PresenceMark>(file); });
     auto const campaign = read_for_all(communicator, file, options.rigs);
-    if (campaign.waves.empty() || is_complete(campaign.waves.back()))
+    if (!campaign.open_wave())
         return WaveEnd::complete;
-    auto const& wave = campaign.waves.back();
+    auto const& wave = *campaign.open_wave();
     on_all(communicator, [&] { require_engine(campaign.input.run); });
     Groups const groups(communicator, campaign.input.run.ranks_per_group);
     Parts const parts(file);
@@ -53,7 +53,9 @@ WaveEnd run_shards(MPI_Comm parent, std::filesystem::path const& file, int task,
     });
 
     WaveWork work;
-    work.seconds = expected_times(campaign, wave).seconds;
+    auto const expected = expected_times(campaign, wave); // the same on all ranks
+    work.seconds = expected.seconds;
+    work.limits = wall_time_limits(campaign.input.run, expected);
     on_root(communicator, [&] {
         auto const state = parts.inspect(wave, campaign.input);
         work.pending = longest_first(own_rows(state.pending, wave, task, tasks), work.seconds);

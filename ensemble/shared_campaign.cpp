@@ -42,18 +42,6 @@ rig::Files share_files(MPI_Comm communicator, rig::Files const& mine)
     return files;
 }
 
-void share_wave(MPI_Comm communicator, Campaign& campaign, int number)
-{
-    auto const place = static_cast<std::size_t>(number);
-    Bytes image;
-    on_root(communicator, [&] { image = pack(campaign.waves.at(place), campaign.input); });
-    broadcast(communicator, image);
-    if (rank_of(communicator) == 0)
-        return;
-    campaign.waves.resize(std::max(campaign.waves.size(), place + 1));
-    campaign.waves[place] = read_wave(hdf5::open_in_memory(image), number, campaign.input);
-}
-
 } // namespace
 
 Campaign read_for_all(MPI_Comm communicator, std::filesystem::path const& file, Rigs const& rigs)
@@ -84,11 +72,16 @@ Campaign read_for_all(MPI_Comm communicator, std::filesystem::path const& file, 
     return std::move(*campaign);
 }
 
-void share_last_wave(MPI_Comm communicator, Campaign& campaign)
+void share_wave(MPI_Comm communicator, Campaign& campaign, int number)
 {
-    std::vector<int> last = {static_cast<int>(campaign.waves.size()) - 1};
-    broadcast(communicator, last);
-    share_wave(communicator, campaign, last.front());
+    auto const place = static_cast<std::size_t>(number);
+    Bytes image;
+    on_root(communicator, [&] { image = pack(campaign.waves.at(place), campaign.input); });
+    broadcast(communicator, image);
+    if (rank_of(communicator) == 0)
+        return;
+    campaign.waves.resize(std::max(campaign.waves.size(), place + 1));
+    campaign.waves[place] = read_wave(hdf5::open_in_memory(image), number, campaign.input);
 }
 
 } // namespace demens::ensemble

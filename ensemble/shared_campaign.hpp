@@ -10,7 +10,7 @@ namespace demens::ensemble {
 //! Rank 0 reads the file and every rank gets the campaign, so that none sees an older state of a network
 //! disk. Collective. \throws InputError
 Campaign read_for_all(MPI_Comm communicator, std::filesystem::path const& file, Rigs const& rigs);
-//! Rank 0's last wave takes the place of the same wave of the others, or is added. Collective.
-void share_last_wave(MPI_Comm communicator, Campaign& campaign);
+//! Rank 0's wave of that number takes the place of the same wave of the others, or is added. Collective.
+void share_wave(MPI_Comm communicator, Campaign& campaign, int number);
 
 } // namespace demens::ensemble

@@ -73,6 +73,8 @@ char const* outcome_of(rig::RunStatus status)
         return "waiting";
     case rig::RunStatus::finished:
         return "finished";
+    case rig::RunStatus::dropped:
+        return "dropped";
     default:
         return "failed";
     }

@@ -16,15 +16,6 @@ using ensemble::NamedArray;
 using ensemble::Session;
 namespace stored = ensemble::stored;
 
-bool has_runs_left(ensemble::Campaign const& campaign)
-{
-    if (campaign.waves.empty())
-        return false;
-    auto const& runs = campaign.waves.back().runs;
-    return std::any_of(runs.begin(), runs.end(),
-                       [](auto const& run) { return run.status == rig::RunStatus::not_run; });
-}
-
 //! Whether the runs sufficed to calibrate what there was to calibrate.
 bool calibrated(ensemble::Campaign const& campaign)
 {
@@ -100,7 +91,7 @@ CalibrationEnd calibrate(Session& session, MPI_Comm communicator,
         solver = surrogate_solver(session.campaign().input.solver.kind, *petsc);
     }
     while (session.campaign().ended.empty()) {
-        if (has_runs_left(session.campaign()) && session.run_wave() == ensemble::WaveEnd::drained)
+        if (session.run_waves() == ensemble::WaveEnd::drained)
             return CalibrationEnd::drained;
         Decision decision;
         if (rank == 0)

@@ -267,18 +267,20 @@ void add_findings(std::string& out, Campaign const& campaign, Wave const& wave)
 
 void add_counts(std::string& out, Campaign const& campaign)
 {
-    int finished = 0, failed = 0, waiting = 0;
+    int finished = 0, failed = 0, waiting = 0, dropped = 0;
     double wall_time = 0;
     for (auto const& wave : campaign.waves) {
         wall_time += wave.wall_time;
         for (auto const& run : wave.runs)
             ++(run.status == rig::RunStatus::finished  ? finished
                : run.status == rig::RunStatus::not_run ? waiting
+               : run.status == rig::RunStatus::dropped ? dropped
                                                        : failed);
     }
     fmt::format_to(std::back_inserter(out),
-                   "\n  {} waves, {} runs finished, {} failed, {} to be run; {:.0f} s\n",
-                   campaign.waves.size(), finished, failed, waiting, wall_time);
+                   "\n  {} waves, {} runs finished, {} failed, {}{} to be run; {:.0f} s\n",
+                   campaign.waves.size(), finished, failed,
+                   dropped > 0 ? fmt::format("{} dropped, ", dropped) : "", waiting, wall_time);
     fmt::format_to(std::back_inserter(out), "  {}\n",
                    campaign.ended.empty() ? "the campaign goes on" : "ended: " + campaign.ended);
 }

@@ -43,6 +43,18 @@ void Parts::remove() const
     fs::remove_all(folder_, ignored);
 }
 
+void Parts::remove_shard(int run) const
+{
+    std::error_code ignored; // one that stays has no END line, or is that of a wave which is in the file
+    fs::remove(shard(run), ignored);
+}
+
+void Parts::remove_shards(Wave const& wave) const
+{
+    for (auto const& run : wave.runs)
+        remove_shard(run.run);
+}
+
 void Parts::store(FinishedRun const& run, CampaignInput const& input, Journal& journal) const
 {
     Wave wave;

@@ -44,6 +44,9 @@ class Parts
     //! \throws FileError
     void make_folder() const;
     void remove() const;
+    void remove_shard(int run) const;
+    //! Removes the shards of a wave that is in the campaign file.
+    void remove_shards(Wave const& wave) const;
 
     //! Writes the shard, then its END line. \throws FileError; then there is no shard
     void store(FinishedRun const& run, CampaignInput const& input, Journal& journal) const;

@@ -159,7 +159,7 @@ void read_results(hid_t file, Wave& wave, CampaignInput const& input)
                                                      {wave.runs.size(), experiment.responses.size()}));
     for (std::size_t i = 0; i < wave.runs.size(); ++i) {
         auto& run = wave.runs[i];
-        if (status[i] < 0 || status[i] > static_cast<int>(rig::RunStatus::unbalanced))
+        if (status[i] < 0 || status[i] >= rig::run_statuses)
             throw FileError(
                 fmt::format("{}status: run {} has {}, which is no status", table, run.run, status[i]));
         run.status = static_cast<rig::RunStatus>(status[i]);
@@ -308,7 +308,7 @@ void write_results(RowWriter& writer, Wave const& wave, CampaignInput const& inp
     auto const table = base + "/runs/";
     auto const& runs = wave.runs;
     std::string names;
-    for (int status = 0; status <= static_cast<int>(rig::RunStatus::unbalanced); ++status)
+    for (int status = 0; status < rig::run_statuses; ++status)
         names += fmt::format("{}{} {}", status ? ", " : "", status,
                              rig::name_of(static_cast<rig::RunStatus>(status)));
     std::vector<int> status;

@@ -157,8 +157,10 @@ struct StopOptions
 
 struct RunOptions
 {
+    static double constexpr limit_by_prediction = -1;
+
     int ranks_per_group = 1;
-    double run_wall_time_s = 0; //!< a run slower than this is `timed_out`; 0: no limit
+    double run_wall_time_s = limit_by_prediction; //!< a run slower than this is `timed_out`; 0: no limit
     rig::EngineChoice engine = rig::EngineChoice::cpu;
     int runs_together = 0; //!< on a device at once; 0: as many as its memory holds
 };

@@ -124,9 +124,11 @@ std::vector<Field<RunOptions>> const& fields_of()
               {.key = "ranks_per_group",
                .doc = "MPI ranks that share one run; pays from some 10,000 particles a rank",
                .lower = 1}),
-        field(&RunOptions::run_wall_time_s, {.key = "run_wall_time_s",
-                                             .doc = "a slower run counts as timed out [s]; 0: no limit",
-                                             .lower = 0}),
+        field(&RunOptions::run_wall_time_s,
+              {.key = "run_wall_time_s",
+               .doc = "a slower run counts as timed out [s]; 0: no limit; -1: 30 times what is "
+                      "expected of it, an hour at least, once a run has finished",
+               .lower = -1}),
         field(&RunOptions::engine,
               {.key = "engine",
                .doc = "what computes a run: this machine's processors, a CUDA device, or a device where "

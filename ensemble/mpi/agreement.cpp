@@ -98,6 +98,10 @@ void broadcast(MPI_Comm communicator, std::vector<int>& numbers)
 {
     broadcast_contents(communicator, numbers);
 }
+void broadcast(MPI_Comm communicator, std::vector<double>& numbers)
+{
+    broadcast_contents(communicator, numbers);
+}
 void broadcast(MPI_Comm communicator, std::string& text)
 {
     broadcast_contents(communicator, text);

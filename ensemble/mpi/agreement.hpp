@@ -40,6 +40,7 @@ int size_of(MPI_Comm communicator);
 //! Rank 0's bytes. Collective.
 void broadcast(MPI_Comm communicator, Bytes& bytes);
 void broadcast(MPI_Comm communicator, std::vector<int>& numbers);
+void broadcast(MPI_Comm communicator, std::vector<double>& numbers);
 void broadcast(MPI_Comm communicator, std::string& text);
 
 //! A communicator of its own; freed with its owner.

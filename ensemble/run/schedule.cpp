@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <queue>
 
 namespace demens::ensemble {
 namespace {
 
+double constexpr times_expected = 30, least_limit = 3600; // [s]
 double constexpr guessed_rate = 1e-7; //!< [s] of a particle step, where no run has finished yet
 
 //! A run that has finished, with how long it took.
@@ -79,12 +82,36 @@ ExpectedTimes expected_times(Campaign const& campaign, Wave const& wave,
     return times;
 }
 
+std::vector<double> wall_time_limits(RunOptions const& options, ExpectedTimes const& expected)
+{
+    std::vector<double> limits(expected.seconds.size(), std::max(0.0, options.run_wall_time_s));
+    if (options.run_wall_time_s == RunOptions::limit_by_prediction && expected.finished > 0)
+        for (std::size_t row = 0; row < limits.size(); ++row)
+            limits[row] = std::max(least_limit, times_expected * expected.seconds[row]);
+    return limits;
+}
+
 std::vector<int> longest_first(std::vector<int> rows, std::vector<double> const& seconds)
 {
     std::stable_sort(rows.begin(), rows.end(), [&](int a, int b) {
         return seconds[static_cast<std::size_t>(a)] > seconds[static_cast<std::size_t>(b)];
     });
     return rows;
+}
+
+double time_to_run(std::vector<double> const& seconds, int groups)
+{
+    std::priority_queue<double, std::vector<double>, std::greater<>> free;
+    for (int g = 0; g < groups; ++g)
+        free.push(0);
+    double end = 0;
+    for (double const one : seconds) {
+        double const done = free.top() + one;
+        free.pop();
+        free.push(done);
+        end = std::max(end, done);
+    }
+    return end;
 }
 
 } // namespace demens::ensemble

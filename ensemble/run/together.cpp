@@ -73,7 +73,7 @@ std::optional<DeviceShare> device_share(MPI_Comm communicator, CampaignInput con
 
 RunsTogether::RunsTogether(CampaignInput const& input, DeviceShare const& share)
     : input_(input), device_(share.kind, share.device, share.runs),
-      batch_(device_, share.threads, input.run.run_wall_time_s)
+      batch_(device_, share.threads, std::max(0.0, input.run.run_wall_time_s))
 {
 }
 

@@ -228,7 +228,7 @@ class WaveRunner::Pass
     {
         runner_.parts_.store(finished, runner_.input_, *journal_);
         counters_.add(runs_done, 1);
-        counters_.add(runs_failed, finished.record.status != rig::RunStatus::finished);
+        counters_.add(runs_failed, rig::has_failed(finished.record.status));
         counters_.add(microseconds_done, std::llround(1e6 * work_.seconds[static_cast<std::size_t>(row)]));
     }
 
@@ -237,7 +237,7 @@ class WaveRunner::Pass
     {
         for (int row; (row = runner_.groups_.from_first(no_row)) != no_row;)
             try {
-                simulate(wave_.runs[static_cast<std::size_t>(row)]);
+                simulate(row);
             } catch (rig::RunInterrupted const&) { // so is the first rank, and it will say what comes next
             }
     }
@@ -249,7 +249,7 @@ class WaveRunner::Pass
         runner_.groups_.from_first(row);
         try {
             double const start_time = work_.clock + elapsed();
-            auto finished = simulate_noting_crashes(plan);
+            auto finished = simulate_noting_crashes(row);
             finished.record.group = runner_.groups_.mine();
             finished.record.start_time = start_time;
             keep(row, finished);
@@ -262,24 +262,25 @@ class WaveRunner::Pass
         }
     }
 
-    FinishedRun simulate_noting_crashes(RunRecord const& plan)
+    FinishedRun simulate_noting_crashes(int row)
     {
+        auto const& plan = wave_.runs[static_cast<std::size_t>(row)];
         CrashNote const note(journal_->descriptor(), journal_->stop_line(plan.run),
                              [&](int signal) { return journal_->crash_line(plan.run, signal); });
-        return simulate(plan);
+        return simulate(row);
     }
 
-    FinishedRun simulate(RunRecord const& plan)
+    FinishedRun simulate(int row)
     {
         rig::RunHooks hooks;
         hooks.team = runner_.groups_.team();
-        hooks.wall_time_limit = runner_.input_.run.run_wall_time_s;
+        hooks.wall_time_limit = work_.limits[static_cast<std::size_t>(row)];
         hooks.should_stop = [this] {
             counters_.progress();
             show();
             return StopSignals::should_stop_run();
         };
-        return execute(runner_.input_, plan, hooks);
+        return execute(runner_.input_, wave_.runs[static_cast<std::size_t>(row)], hooks);
     }
 
     ProgressState state()

@@ -44,6 +44,7 @@ struct WaveWork
     std::vector<int> pending;    //!< rows, in the order in which they begin
     std::vector<int> suspicious; //!< rows to run one at a time after the others
     std::vector<double> seconds; //!< expected wall time of every row of the wave
+    std::vector<double> limits;  //!< [s] wall time after which its run is given up; 0: none
     double clock = 0;            //!< [s] working time of the wave so far
     int done = 0, failed = 0;    //!< runs of the wave that are complete
 };

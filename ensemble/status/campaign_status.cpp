@@ -79,8 +79,7 @@ class Reader
         for (auto const& run : wave.runs) {
             ++shown.runs.done;
             busy += run.wall_time;
-            if (run.status != rig::RunStatus::finished)
-                note_failure(shown, run.run, run.status, run.reason);
+            note_end(shown, run.run, run.status, run.reason);
         }
         shown.is_complete = true;
         shown.wall_time = wave.wall_time;
@@ -144,10 +143,14 @@ class Reader
         status_.all.done += shown.runs.done;
         status_.all.failed += shown.runs.failed;
         status_.all.running += shown.runs.running;
+        status_.all.dropped += shown.runs.dropped;
     }
 
-    void note_failure(WaveStatus& shown, int run, rig::RunStatus how, std::string const& reason)
+    void note_end(WaveStatus& shown, int run, rig::RunStatus how, std::string const& reason)
     {
+        shown.runs.dropped += how == rig::RunStatus::dropped;
+        if (!rig::has_failed(how))
+            return;
         ++shown.runs.failed;
         auto& all = status_.failures;
         auto found = std::find_if(all.begin(), all.end(), [&](auto const& one) { return one.status == how; });
@@ -179,20 +182,19 @@ class Reader
         bool const is_told = history.status >= 0;
         if (is_told && ++reasons_ > reasons_read) {
             ++shown.runs.done;
-            note_failure(shown, plan.run, static_cast<rig::RunStatus>(history.status), "");
+            note_end(shown, plan.run, static_cast<rig::RunStatus>(history.status), "");
             return true;
         }
         try {
             auto const record = parts.load(plan, campaign_.input, history.shard_crcs).record;
             ++shown.runs.done;
-            if (record.status != rig::RunStatus::finished)
-                note_failure(shown, plan.run, record.status, record.reason);
+            note_end(shown, plan.run, record.status, record.reason);
             return true;
         } catch (FileError const&) { // damaged, or being gathered
             if (!is_told)
                 return false;
             ++shown.runs.done;
-            note_failure(shown, plan.run, static_cast<rig::RunStatus>(history.status), "");
+            note_end(shown, plan.run, static_cast<rig::RunStatus>(history.status), "");
             return true;
         }
     }

@@ -21,7 +21,7 @@ enum class CampaignState
 
 struct RunCounts
 {
-    int planned = 0, done = 0, failed = 0, running = 0;
+    int planned = 0, done = 0, failed = 0, running = 0, dropped = 0; //!< failed and dropped ones are done
 };
 
 //! A wave as far as it is.

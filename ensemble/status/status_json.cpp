@@ -23,8 +23,11 @@ json text(std::string const& value)
 
 json counts_of(RunCounts const& runs)
 {
-    return {
-        {"planned", runs.planned}, {"done", runs.done}, {"failed", runs.failed}, {"running", runs.running}};
+    return {{"planned", runs.planned},
+            {"done", runs.done},
+            {"failed", runs.failed},
+            {"running", runs.running},
+            {"dropped", runs.dropped}};
 }
 
 json waves_of(CampaignStatus const& status)

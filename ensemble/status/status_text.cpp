@@ -51,6 +51,8 @@ std::string failures_text(CampaignStatus const& status)
                             failure.reason.empty()
                                 ? ""
                                 : fmt::format(", e.g. run {}: {}", failure.first_run, failure.reason));
+    if (status.all.dropped > 0)
+        text += fmt::format("dropped    {} by hand\n", status.all.dropped);
     return text.empty() ? text : text + "\n";
 }
 

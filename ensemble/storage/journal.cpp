@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <optional>
+#include <span>
 #include <sstream>
 
 namespace demens::ensemble {
@@ -51,12 +52,28 @@ std::optional<Entry> parse(std::string const& line)
     return entry;
 }
 
+std::vector<fs::path> journals_of(fs::path const& folder)
+{
+    std::error_code error;
+    std::vector<fs::path> files;
+    for (auto const& entry : fs::directory_iterator(folder, error))
+        if (entry.path().filename().string().starts_with("journal-"))
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::istringstream lines_of(fs::path const& file)
+{
+    auto const bytes = read_bytes(file);
+    return std::istringstream(std::string(reinterpret_cast<char const*>(bytes.data()), bytes.size()));
+}
+
 //! Takes in one writer's journal. What was in progress when its process began anew has died with the one
 //! before; so has a run that is begun again without an end.
 void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
 {
-    auto const bytes = read_bytes(file);
-    std::istringstream in(std::string(reinterpret_cast<char const*>(bytes.data()), bytes.size()));
+    auto in = lines_of(file);
     std::map<int, Entry> open; // by run
     auto const count_death = [&](Entry const& start) {
         if (!start.was_asked_to_end)
@@ -159,16 +176,23 @@ std::string Journal::crash_line(int run, int signal) const
     return line_of(fmt::format("CRASH {} {}", run, signal));
 }
 
+void forget_runs(fs::path const& folder, std::set<int> const& runs)
+{
+    for (auto const& file : journals_of(folder)) {
+        std::string kept;
+        auto lines = lines_of(file);
+        for (std::string line; std::getline(lines, line);)
+            if (auto const entry = parse(line);
+                entry && (entry->verb == "BEGIN" || !runs.contains(entry->run)))
+                kept += line + "\n";
+        write_durably(file, std::as_bytes(std::span(kept)));
+    }
+}
+
 std::map<int, RunHistory> read_journals(fs::path const& folder)
 {
     std::map<int, RunHistory> histories;
-    std::error_code error;
-    std::vector<fs::path> files;
-    for (auto const& entry : fs::directory_iterator(folder, error))
-        if (entry.path().filename().string().starts_with("journal-"))
-            files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (auto const& file : files)
+    for (auto const& file : journals_of(folder))
         take_in(file, histories);
     return histories;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,10 @@ struct RunHistory
     bool open = false;                     //!< a start is the last line of a journal: running, or killed
     double begun = 0;                      //!< [s] since 1970, of that start
 };
+
+//! As if these runs had never begun: takes their lines out of all journals of a folder. Nobody may write them
+//! meanwhile. \throws FileError
+void forget_runs(std::filesystem::path const& folder, std::set<int> const& runs);
 
 //! Reads all journals of a folder; safe while they are written.
 std::map<int, RunHistory> read_journals(std::filesystem::path const& folder);

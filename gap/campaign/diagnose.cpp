@@ -16,7 +16,7 @@ WaveEnd go_on(Session& session, MPI_Comm communicator,
               std::function<std::optional<WavePlan>(Campaign const&)> const& next)
 {
     while (true) {
-        if (session.run_wave() == WaveEnd::drained)
+        if (session.run_waves() == WaveEnd::drained)
             return WaveEnd::drained;
         std::optional<WavePlan> plan;
         std::vector<int> goes_on(1);

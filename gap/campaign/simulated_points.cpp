@@ -58,7 +58,7 @@ std::vector<SimulatedPoint> simulated_points(ensemble::Campaign const& campaign,
                 point.runs[static_cast<std::size_t>(run.experiment)].push_back(
                     Eigen::Map<Eigen::VectorXd const>(run.responses.data(),
                                                       static_cast<Eigen::Index>(run.responses.size())));
-            else if (run.status != rig::RunStatus::not_run && point.failure.empty())
+            else if (rig::has_failed(run.status) && point.failure.empty())
                 point.failure =
                     fmt::format("run {} of {}: {}{}{}", run.run,
                                 campaign.input.experiments[static_cast<std::size_t>(run.experiment)].name,

@@ -98,7 +98,7 @@ std::string measured_campaign(MPI_Comm communicator, CampaignInput const& input,
                                            plan_of(input, effects, truth, repeats));
     });
     ensemble::Session session(communicator, file);
-    if (session.run_wave() == ensemble::WaveEnd::drained)
+    if (session.run_waves() == ensemble::WaveEnd::drained)
         return {};
     std::string text;
     ensemble::on_root(communicator, [&] { text = with_values(input, session.campaign(), truth, entropy()); });

@@ -14,7 +14,7 @@ function show_headline() {
     const limits = all_targets.filter((target) => known(target.tolerance));
     const met = optimum ? limits.filter((target) =>
         Math.abs(optimum.responses[target.index] - target.value) <= target.tolerance).length : 0;
-    const waiting = all_runs.length - finished_runs.length - failed_runs.length;
+    const waiting = all_runs.filter((run) => run.outcome === 'waiting').length;
     const spent = campaign.waves.reduce((sum, wave) => sum + length_of(wave), 0);
     const tiles = [
         tile(optimum ? number(optimum.wmse, 3) : '–', 'weighted mean square error', optimum ? null : 'no best fit yet'),

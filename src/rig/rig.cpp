@@ -10,7 +10,7 @@ namespace demens::rig {
 
 char const* name_of(RunStatus status)
 {
-    static constexpr std::array<Word<RunStatus>, 9> names = {
+    static constexpr std::array<Word<RunStatus>, run_statuses> names = {
         {{RunStatus::not_run, "not run"},
          {RunStatus::finished, "finished"},
          {RunStatus::not_a_number, "not a number"},
@@ -19,7 +19,8 @@ char const* name_of(RunStatus status)
          {RunStatus::timed_out, "timed out"},
          {RunStatus::error, "error"},
          {RunStatus::quarantined, "quarantined"},
-         {RunStatus::unbalanced, "energy not balanced"}}};
+         {RunStatus::unbalanced, "energy not balanced"},
+         {RunStatus::dropped, "dropped"}}};
     return word_for(names, status);
 }
 

@@ -43,9 +43,9 @@ Location& Locations::at(ensemble::RunRecord const& run)
 Location const& Locations::add(ensemble::RunRecord const& run)
 {
     Location& location = at(run);
-    if (run.status == rig::RunStatus::not_run)
+    if (run.status == rig::RunStatus::not_run || run.status == rig::RunStatus::dropped)
         return location;
-    if (run.status != rig::RunStatus::finished) {
+    if (rig::has_failed(run.status)) {
         ++failed_runs_;
         ++location.failed_runs;
         return location;

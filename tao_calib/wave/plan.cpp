@@ -111,7 +111,7 @@ std::string first_failure(Campaign const& campaign)
 {
     for (auto const& wave : campaign.waves)
         for (auto const& run : wave.runs)
-            if (run.status != rig::RunStatus::finished)
+            if (rig::has_failed(run.status))
                 return fmt::format("run {}: {}{}{}", run.run, rig::name_of(run.status),
                                    run.reason.empty() ? "" : ", ", run.reason);
     return "every run finished, but without a value for every target";

@@ -59,7 +59,7 @@ int run(std::string const& file, int waves, int points)
     while (static_cast<int>(campaign.waves.size()) < waves || !is_done()) {
         if (campaign.waves.empty() || is_done())
             session.plan_wave(WavePurpose::search, next_points(campaign, points));
-        if (session.run_wave() == WaveEnd::drained)
+        if (session.run_waves() == WaveEnd::drained)
             return 75;
         session.store_analysis({{"optimum/carried",
                                  {1},

@@ -1,15 +1,11 @@
-#include "tests/mpi/formula_rig.hpp"
+#include "tests/mpi/session_fixture.hpp"
 
 #include "ensemble/file/hdf5.hpp"
-#include "ensemble/mpi/agreement.hpp"
 
 #include "demens/base/error.hpp"
 
 #include <cmath>
-#include <filesystem>
-#include <fmt/format.h>
 #include <fstream>
-#include <gtest/gtest.h>
 
 using namespace demens;
 using namespace demens::ensemble;
@@ -17,38 +13,10 @@ using namespace demens::test;
 
 namespace {
 
-std::vector<std::vector<double>> const points = {
-    {0.1, 0.2}, {0.9, 0.4}, {0.5, 0.05}, {0.3, 0.7}, {0.65, 0.95}};
-
 bool same_bits(double a, double b)
 {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
-
-//! A new campaign in a folder of this test and number of ranks.
-class SessionTest : public testing::Test
-{
-  protected:
-    SessionTest()
-    {
-        auto const* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fmt::format("session-{}-{}-ranks", info->name(), size_of(MPI_COMM_WORLD));
-        file_ = folder_ / "campaign.h5";
-    }
-
-    void create(std::string const& text)
-    {
-        on_root(MPI_COMM_WORLD, [&] {
-            std::filesystem::remove_all(folder_);
-            std::filesystem::create_directories(folder_);
-            create_campaign_file(file_, CampaignInput::from_text(text, "test", formula_rigs()));
-        });
-    }
-
-    SessionOptions options() const { return {.rigs = formula_rigs(), .progress = nullptr}; }
-
-    std::filesystem::path folder_, file_;
-};
 
 } // namespace
 
@@ -58,9 +26,9 @@ TEST_F(SessionTest, ResponsesAreThoseOfTheRigItself)
     {
         Session session(MPI_COMM_WORLD, file_, options());
         session.plan_wave(WavePurpose::design, points);
-        EXPECT_EQ(session.run_wave(), WaveEnd::complete);
+        EXPECT_EQ(session.run_waves(), WaveEnd::complete);
         session.plan_wave(WavePurpose::search, {{0.25, 0.75}});
-        EXPECT_EQ(session.run_wave(), WaveEnd::complete);
+        EXPECT_EQ(session.run_waves(), WaveEnd::complete);
         EXPECT_EQ(session.groups(), size_of(MPI_COMM_WORLD));
         EXPECT_EQ(session.campaign().waves.size(), 2u);
     }
@@ -106,7 +74,7 @@ TEST_F(SessionTest, DetailsBelongToTheirRuns)
     {
         Session session(MPI_COMM_WORLD, file_, options());
         session.plan_wave(WavePurpose::design, points);
-        session.run_wave();
+        session.run_waves();
     }
     auto const campaign = read_campaign_file(file_, formula_rigs());
     for (auto const& run : campaign.all_runs()) {
@@ -147,7 +115,7 @@ TEST_F(SessionTest, FailedRunsAreStatuses)
     {
         Session session(MPI_COMM_WORLD, file_, options());
         session.plan_wave(WavePurpose::design, points);
-        EXPECT_EQ(session.run_wave(), WaveEnd::complete);
+        EXPECT_EQ(session.run_waves(), WaveEnd::complete);
     }
     int failed = 0;
     for (auto const& run : read_campaign_file(file_, formula_rigs()).all_runs()) {
@@ -173,7 +141,7 @@ TEST_F(SessionTest, AnalysisAndEndAreKept)
     {
         Session session(MPI_COMM_WORLD, file_, options());
         session.plan_wave(WavePurpose::design, points);
-        session.run_wave();
+        session.run_waves();
         session.store_analysis({{"optimum/wmse", {1}, {0.25}, "1", "first"}});
         session.store_analysis({{"optimum/wmse", {1}, {0.125}, "1", "second"},
                                 {"surrogate/table", {2, 3}, {1, 2, 3, 4, 5, 6}, "mixed", "a table"}});
@@ -210,7 +178,7 @@ TEST_F(SessionTest, ArrayTasksLeaveShardsThatASessionGathers)
     EXPECT_EQ(run_shards(MPI_COMM_WORLD, file_, 2, 3, options()), WaveEnd::complete);
     {
         Session session(MPI_COMM_WORLD, file_, options());
-        EXPECT_EQ(session.run_wave(), WaveEnd::complete);
+        EXPECT_EQ(session.run_waves(), WaveEnd::complete);
     }
     auto const campaign = read_campaign_file(file_, formula_rigs());
     for (auto const& run : campaign.all_runs()) {
@@ -241,7 +209,7 @@ TEST_F(SessionTest, DamagedShardRunsAgain)
     });
     {
         Session session(MPI_COMM_WORLD, file_, options());
-        EXPECT_EQ(session.run_wave(), WaveEnd::complete);
+        EXPECT_EQ(session.run_waves(), WaveEnd::complete);
     }
     auto const campaign = read_campaign_file(file_, formula_rigs());
     for (auto const& run : campaign.all_runs()) {
@@ -284,7 +252,7 @@ TEST_F(SessionTest, GroupsOfTwoRanks)
         Session session(MPI_COMM_WORLD, file_, options());
         EXPECT_EQ(session.groups(), size_of(MPI_COMM_WORLD) / 2);
         session.plan_wave(WavePurpose::design, points);
-        EXPECT_EQ(session.run_wave(), WaveEnd::complete);
+        EXPECT_EQ(session.run_waves(), WaveEnd::complete);
     }
     for (auto const& run : read_campaign_file(file_, formula_rigs()).all_runs())
         EXPECT_LT(run.group, size_of(MPI_COMM_WORLD) / 2);

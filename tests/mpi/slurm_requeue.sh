@@ -2,6 +2,7 @@
 # slurm/demens.sbatch under a real Slurm of one node, made for this test: the signal before the time limit stops the
 # campaign, Slurm starts the job again, and the campaign ends with the same results as without Slurm.
 . "$(dirname "$0")/common.sh"
+DEMENS=$3
 SOURCE=$(cd "$(dirname "$0")/../.." && pwd)
 if [ "$(id -u)" -ne 0 ] || ! command -v slurmctld slurmd sbatch munged >/dev/null; then
   echo "SKIPPED: needs root and the packages slurmctld slurmd slurm-client munge"; exit 77
@@ -87,4 +88,24 @@ within 60 sh -c '! squeue -h | grep -q .' || fail "the array does not end"
 expect_code 0 "$MPIRUN" -n 1 "$DRIVER" run array.h5 2 8
 "$DRIVER" dump array.h5 >array.txt || fail "dump"
 diff free.txt array.txt || fail "the results depend on the job array"
+# A campaign as a chain of job arrays of three tasks, one of which hangs at first and is killed.
+cp "$SOURCE/tests/campaign/impact.toml" impact.toml
+expect_code 0 "$MPIRUN" -n 2 "$DEMENS" impact.toml
+"$DRIVER" dump impact.h5 >impact.txt || fail "dump"
+cp impact.toml chain.toml
+expect_code 0 "$DEMENS" new chain.toml
+cat >stand-in <<END
+#!/bin/bash
+if [ "\$4" = 1 ] && [ ! -e hung ]; then touch hung; exec sleep 1000; fi
+exec "$DEMENS" "\$@"
+END
+JOB=$(DEMENS=$HERE/stand-in DEMENS_TASK="--time=10 --output=$HERE/chain-%a.log" sbatch --parsable --output="$HERE/chain.log" \
+      "$SOURCE/slurm/waves.sbatch" chain.h5 3) || fail "sbatch"
+within 90 test -e hung || { cat chain*.log; fail "no task begins"; }
+within 60 sh -c '[ "$(squeue -h -r -t RUNNING -n demens-task | wc -l)" = 1 ]' || { squeue; fail "the other tasks do not end"; }
+scancel --name=demens-task
+within 200 sh -c '! squeue -h | grep -q .' || { squeue; cat chain*.log; fail "the chain does not end"; }
+expect_text 'exit code 0' <(cat chain.log demens-waves-*.log)
+"$DRIVER" dump chain.h5 >chain.txt || fail "dump"
+diff impact.txt chain.txt || fail "the results depend on the chain of job arrays"
 echo "stopped, started again and ended: $(grep -c 'start ' job.log) starts"

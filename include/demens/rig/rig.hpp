@@ -29,9 +29,16 @@ enum class RunStatus
     timed_out = 5,    //!< simulated or wall time ran out before the end criterion
     error = 6,        //!< any other reason; see the reason text
     quarantined = 7,  //!< begun twice and never ended
-    unbalanced = 8    //!< the energy ledger does not close
+    unbalanced = 8,   //!< the energy ledger does not close
+    dropped = 9       //!< somebody has taken it out of the campaign
 };
+inline constexpr int run_statuses = 10;
 char const* name_of(RunStatus status);
+//! Whether the run came to a bad end: something is wrong where it was simulated.
+constexpr bool has_failed(RunStatus status)
+{
+    return status != RunStatus::not_run && status != RunStatus::finished && status != RunStatus::dropped;
+}
 
 //! A scalar that a rig measures.
 struct ResponseInfo

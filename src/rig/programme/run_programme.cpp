@@ -53,8 +53,9 @@ RunResult run_programme(Programme programme, RunHooks const& hooks)
             throw RunInterrupted();
         double const after = now();
         if (agreed(hooks.wall_time_limit > 0 && after - started > hooks.wall_time_limit))
-            run.fail(RunStatus::timed_out, fmt::format("the run took more than {:.0f} s of wall time {}",
-                                                       hooks.wall_time_limit, run.moment()));
+            run.fail(RunStatus::timed_out,
+                     fmt::format("the run took more than {:.0f} s of wall time (run.run_wall_time_s) {}",
+                                 hooks.wall_time_limit, run.moment()));
         portion = next_portion(portion, hooks.team ? hooks.team->largest(after - before) : after - before);
     }
     return run.result();

@@ -62,6 +62,13 @@ TEST(Schedule, LongestRunFirst)
     EXPECT_EQ(longest_first({0, 1, 2, 3}, {2, 5, 5, 7}), (std::vector<int>{3, 1, 2, 0}));
 }
 
+TEST(Schedule, GroupsTakeTheNextRunWhenTheyAreFree)
+{
+    EXPECT_DOUBLE_EQ(time_to_run({7, 5, 4, 4, 3}, 1), 23);
+    EXPECT_DOUBLE_EQ(time_to_run({7, 5, 4, 4, 3}, 2), 12); // 7 + 4, 5 + 4 + 3
+    EXPECT_DOUBLE_EQ(time_to_run({7, 5, 4, 4, 3}, 8), 7);
+}
+
 TEST(Schedule, PredictionsAreCorrectedFromFinishedRuns)
 {
     auto campaign = new_campaign();
@@ -80,6 +87,16 @@ TEST(Schedule, PredictionsAreCorrectedFromFinishedRuns)
         expected_times(campaign, wave, {{wave.runs[2].run, 16}}); // twice as long as expected
     EXPECT_DOUBLE_EQ(corrected.seconds[0], 60);
     EXPECT_DOUBLE_EQ(corrected.seconds[2], 2e6 * (4. + 16.) / 3e6);
+}
+
+TEST(Schedule, ARunThatNeverEndsIsGivenUp)
+{
+    ExpectedTimes const expected{.seconds = {10, 1000}, .scatter = 0, .finished = 2};
+    EXPECT_EQ(wall_time_limits({}, expected), (std::vector<double>{3600, 30000}));
+    EXPECT_EQ(wall_time_limits({}, {.seconds = {10, 1000}}), (std::vector<double>{0, 0}))
+        << "nothing is known yet";
+    EXPECT_EQ(wall_time_limits({.run_wall_time_s = 0}, expected), (std::vector<double>{0, 0}));
+    EXPECT_EQ(wall_time_limits({.run_wall_time_s = 60}, expected), (std::vector<double>{60, 60}));
 }
 
 TEST(Execute, WhateverGoesWrongIsAStatus)
