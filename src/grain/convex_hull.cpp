@@ -293,6 +293,11 @@ Hull convex_hull(std::span<Vector3 const> points, std::string const& origin)
             continue;
         if (vertices.size() > most_vertices)
             refuse_size(vertices.size());
+        for (Loop const& loop : loops)
+            if (loop.size() > most_face_corners)
+                throw InputError(fmt::format("{}: a face of the hull has {} corners, more than {}: give a "
+                                             "coarser surface",
+                                             origin, loop.size(), most_face_corners));
         for (Vector3& v : vertices)
             v += middle;
         std::sort(loops.begin(), loops.end());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace demens::grain {
 namespace {
@@ -65,7 +66,16 @@ void Hull::find_edges()
     }
     for (auto const& [vertices, faces] : faces_of)
         edges_.push_back({vertices, faces});
-    DEMENS_EXPECT(vertices_.size() + faces_.size() == edges_.size() + 2, "the faces close the hull");
+    DEMENS_EXPECT(faces_.empty() || vertices_.size() + faces_.size() == edges_.size() + 2,
+                  "the faces close the hull");
+    for (HullFace const& face : faces_) {
+        auto const loop = corners(face);
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            std::uint16_t const from = loop[k], to = loop[(k + 1) % loop.size()];
+            auto const edge = faces_of.find({std::min(from, to), std::max(from, to)});
+            loop_edges_.push_back(static_cast<std::uint16_t>(std::distance(faces_of.begin(), edge)));
+        }
+    }
     neighbours_ = lists_of(around);
     faces_of_vertices_ = lists_of(faces_around);
 }
@@ -88,6 +98,19 @@ Hull Hull::scaled(double factor) const
     for (HullFace& face : result.faces_)
         face.offset *= factor;
     return result;
+}
+
+Hull flat_hull(std::vector<Vector3> corners)
+{
+    std::vector<std::uint16_t> front(corners.size());
+    std::iota(front.begin(), front.end(), std::uint16_t{0});
+    std::vector<std::uint16_t> const back(front.rbegin(), front.rend());
+    return Hull(std::move(corners), {front, back});
+}
+
+Hull point_hull()
+{
+    return Hull({Vector3{}}, {});
 }
 
 VolumeMoments volume_moments(Hull const& hull)
