@@ -58,13 +58,14 @@ struct CorePose
 struct CorePair
 {
     CoreView a, b;
-    double scale_a;  //!< of the first
+    double scale_a, scale_b;
     Vector3 shift;   //!< place of the second
     Rotation images; //!< of the second one's axes, times its scale
 
     DEMENS_INLINE DEMENS_FUNCTION CorePair(CoreView const& first, CorePose const& of_a,
                                            CoreView const& second, CorePose const& of_b)
-        : a(first), b(second), scale_a(of_a.scale), shift(of_a.rotation.inverse(of_b.place - of_a.place)),
+        : a(first), b(second), scale_a(of_a.scale), scale_b(of_b.scale),
+          shift(of_a.rotation.inverse(of_b.place - of_a.place)),
           images{of_b.scale * of_a.rotation.inverse(of_b.rotation.x),
                  of_b.scale * of_a.rotation.inverse(of_b.rotation.y),
                  of_b.scale * of_a.rotation.inverse(of_b.rotation.z)}

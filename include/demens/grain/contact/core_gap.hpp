@@ -12,6 +12,7 @@ struct PairMemory
 {
     std::uint16_t a[3] = {}, b[3] = {}; //!< vertices of the last simplex
     std::uint16_t size = 0;             //!< how many of them; 0: nothing is remembered
+    std::uint16_t was_near = 0;         //!< whether they were within reach
     float normal[3] = {};               //!< from the first to the second, in the first one's axes
 };
 
@@ -73,24 +74,28 @@ DEMENS_FUNCTION inline CoreGap core_gap(CorePair const& pair, double reach, Pair
 {
     using namespace detail;
     CoreGap result;
-    Vector3 const last = memory.size > 0 ? Vector3{memory.normal[0], memory.normal[1], memory.normal[2]}
-                         : norm_squared(pair.shift) > 0 ? pair.shift
-                                                        : Vector3{0, 0, 1};
-    Simplex::Corner next = corner_along(pair, last, memory.a[0], memory.b[0]);
-    double const first_gap = -dot(next.difference, last);
-    if (first_gap > 0 && first_gap * first_gap > reach * reach * norm_squared(last)) {
-        if (memory.size == 0)
-            remember_normal(memory, last / norm(last));
-        memory.size = 1;
-        memory.a[0] = next.a, memory.b[0] = next.b;
-        return result;
-    }
     Simplex simplex;
     for (int k = 0; k < memory.size; ++k)
-        simplex.corners[simplex.size++] = {pair.vertex_a(memory.a[k]) - pair.vertex_b(memory.b[k]),
-                                           memory.a[k], memory.b[k], 0};
-    if (!simplex.has(next.a, next.b))
-        simplex.corners[simplex.size++] = next;
+        simplex.corners[k] = {pair.vertex_a(memory.a[k]) - pair.vertex_b(memory.b[k]), memory.a[k],
+                              memory.b[k], 0};
+    simplex.size = memory.size;
+    Simplex::Corner next;
+    if (!memory.was_near) {
+        Vector3 const last = memory.size > 0 ? Vector3{memory.normal[0], memory.normal[1], memory.normal[2]}
+                             : norm_squared(pair.shift) > 0 ? pair.shift
+                                                            : Vector3{0, 0, 1};
+        next = corner_along(pair, last, memory.a[0], memory.b[0]);
+        double const gap = -dot(next.difference, last);
+        if (gap > 0 && gap * gap > reach * reach * norm_squared(last)) {
+            if (memory.size == 0)
+                remember_normal(memory, last / norm(last));
+            memory.size = 1;
+            memory.a[0] = next.a, memory.b[0] = next.b;
+            return result;
+        }
+        if (!simplex.has(next.a, next.b))
+            simplex.corners[simplex.size++] = next;
+    }
     Simplex best; // the nearest so far
     double before = 1e300;
     double const zero = 1e-20 * reach * reach;
@@ -104,18 +109,19 @@ DEMENS_FUNCTION inline CoreGap core_gap(CorePair const& pair, double reach, Pair
             break;
         }
         before = squared;
-        best = simplex;
         Vector3 const normal = -simplex.nearest;
         next = corner_along(pair, normal, simplex.corners[0].a, simplex.corners[0].b);
         double const bound = dot(next.difference, simplex.nearest); // the distance times a lower bound of it
         if (bound > 0 && bound * bound > reach * reach * squared) {
             memory.size = 1;
+            memory.was_near = 0;
             memory.a[0] = next.a, memory.b[0] = next.b;
             remember_normal(memory, normal / std::sqrt(squared));
             return result;
         }
         if (squared - bound <= 1e-14 * squared || simplex.has(next.a, next.b))
             break;
+        best = simplex;
         simplex.corners[simplex.size++] = next;
     }
     double const distance = norm(simplex.nearest);
@@ -131,6 +137,7 @@ DEMENS_FUNCTION inline CoreGap core_gap(CorePair const& pair, double reach, Pair
     }
     result.size = simplex.size;
     memory.size = static_cast<std::uint16_t>(simplex.size);
+    memory.was_near = result.state == CoreState::near;
     remember_normal(memory, result.normal);
     return result;
 }

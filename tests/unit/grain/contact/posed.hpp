@@ -32,7 +32,9 @@ inline CoreGap gap_of(Posed const& a, Posed const& b, double reach = 1e3)
 
 inline ContactSet contacts_of(Posed const& a, Posed const& b, PairMemory& memory)
 {
-    return hull_contacts(pair_of(a, b), a.rounding, b.rounding, memory);
+    ContactSet set;
+    hull_contacts(pair_of(a, b), a.rounding, b.rounding, memory, set);
+    return set;
 }
 
 inline ContactSet contacts_of(Posed const& a, Posed const& b)
