@@ -5,12 +5,21 @@
 
 namespace demens::grain::detail {
 
-//! Where two faces touch: each corner of one that is near the other, and each two edges whose nearest points
-//! lie within both, all at their distances.
+//! Where two faces touch, so that the energy of contacts U(overlap) is a function of distances alone, without
+//! jumps, and forces along these distances keep it:
+//!
+//!     sum U(corner of A to face B) + sum U(corner of B to face A) - sum U(corner to corner)
+//!         + sum U(edge to edge) product (1 - U(end of one to the other edge) / U(edge to edge))
+//!
+//! Edges count where their nearest points lie within both. What is taken away is what is counted twice: a
+//! contact of edges begins and ends where it meets that of an end, and edges that are nearly parallel touch
+//! at their ends; corners that meet count once. Together they are no less than the deepest alone. Corners of
+//! one face nearer to each other than the roundings count as one, in the same way (`corner_shares`). A share
+//! is the derivative of the sum by the contact's own energy, so that some are negative. The energies' ratio
+//! is taken from Hertz' law.
 class FacePair
 {
   public:
-    //! \param set its state is known
     DEMENS_FUNCTION FacePair(ContactSet& set, ContactAxes const& axes, double rounding_a, double rounding_b)
         : set_(set), axes_(axes), reach_(rounding_a + rounding_b), offset_(0.5 * (rounding_a - rounding_b))
     {
@@ -23,18 +32,9 @@ class FacePair
         b.clip(height_a + reach_, -1);
         double const gap = height_b > height_a ? height_b - height_a : 0;
         double const aside = std::sqrt(reach_ * reach_ - gap * gap); // the farthest apart across the normal
-        for (int i = 0; i < a.count; ++i)
-            if (a.depth[i] > 0 && b.zone.is_near(a.u[i], a.w[i], aside)) {
-                ToFace const to = b.nearest_to(a.corner(i));
-                add(0.5 * (a.corner(i) + to.place), to.normal, to.gap, 1,
-                    feature_id(ContactFeature::vertex_of_a, a.vertices[i], 0));
-            }
-        for (int j = 0; j < b.count; ++j)
-            if (b.depth[j] > 0 && a.zone.is_near(b.u[j], b.w[j], aside)) {
-                ToFace const to = a.nearest_to(b.corner(j));
-                add(0.5 * (b.corner(j) + to.place), -to.normal, to.gap, 1,
-                    feature_id(ContactFeature::vertex_of_b, 0, b.vertices[j]));
-            }
+        bool const any_a = corners(a, b, aside, 1), any_b = corners(b, a, aside, -1);
+        if (any_a && any_b)
+            corners_that_meet(a, b);
         for (int i = 0; i < a.count; ++i)
             for (int j = 0; j < b.count; ++j)
                 if (a.sides[i].is_near(b.sides[j], aside))
@@ -42,46 +42,142 @@ class FacePair
     }
 
   private:
-    //! \param middle between the cores \param part how much it counts
-    DEMENS_FUNCTION void add(Vector3 const& middle, Vector3 const& normal, double gap, double part,
+    //! \param middle between the cores \param share how much it counts
+    DEMENS_FUNCTION void add(Vector3 const& middle, Vector3 const& normal, double gap, double share,
                              std::uint32_t feature)
     {
-        if (gap < reach_)
-            set_.add({axes_(middle + offset_ * normal), axes_(normal), reach_ - gap, part, feature});
+        if (gap < reach_ && share != 0)
+            set_.add({axes_(middle + offset_ * normal), axes_(normal), reach_ - gap, share, feature});
     }
 
-    //! From 0 at 0 to 1 at 1 and beyond, level at both.
-    DEMENS_INLINE DEMENS_FUNCTION static double ramp(double squared)
+    //! Corners of a face on another. \param sense 1: the face is that of A; -1: of B. False if none touches.
+    DEMENS_FUNCTION bool corners(SeenFace& face, SeenFace const& other, double aside, double sense)
     {
-        return squared < 1 ? squared * squared * (3 - 2 * squared) : 1;
+        bool any = false;
+        bool const has_short_sides = face.shortest < reach_ * reach_;
+        for (int k = 0; k < face.count; ++k) {
+            face.overlap[k] = 0;
+            face.share[k] = 1;
+            if (!(face.depth[k] > 0 && other.zone.is_near(face.u[k], face.w[k], aside)))
+                continue;
+            ToFace const to = other.nearest_to(face.corner(k));
+            if (to.gap >= reach_)
+                continue;
+            any = true;
+            face.overlap[k] = reach_ - to.gap;
+            if (!has_short_sides)
+                add_corner(face, k, to, sense);
+        }
+        if (any && has_short_sides) {
+            corner_shares(face);
+            for (int k = 0; k < face.count; ++k)
+                if (face.overlap[k] > 0)
+                    add_corner(face, k, other.nearest_to(face.corner(k)), sense);
+        }
+        return any;
+    }
+    DEMENS_FUNCTION void add_corner(SeenFace const& face, int k, ToFace const& to, double sense)
+    {
+        add(0.5 * (face.corner(k) + to.place), sense * to.normal, to.gap, face.share[k],
+            sense > 0 ? feature_id(ContactFeature::vertex_of_a, face.vertices[k], 0)
+                      : feature_id(ContactFeature::vertex_of_b, 0, face.vertices[k]));
     }
 
-    //! Two edges count fully where no ends of them touch as well: where their nearest points are farther from
-    //! all ends than an end can be to touch, and where they are not nearly parallel. So their contact begins
-    //! and ends without a jump where it meets that of an end.
+    //! How much corners count: all of them, less the shallower one of each side as much as its ends are one,
+    //! and once more the shallowest as much as all are (as faces, edges and corners add up to one). Of
+    //! corners at one place only the deepest is left.
+    DEMENS_FUNCTION void corner_shares(SeenFace& face) const
+    {
+        double all = 1;
+        int shallowest = 0;
+        for (int k = 0; k < face.count; ++k) {
+            int const next = face.after(k);
+            double const y = norm_squared(face.corner(next) - face.corner(k)) / (reach_ * reach_);
+            double const one = y < 1 ? (1 - y) * (1 - y) * (1 + 2 * y) : 0;
+            face.share[face.overlap[next] < face.overlap[k] ? next : k] -= one;
+            all *= one;
+            shallowest = face.overlap[k] < face.overlap[shallowest] ? k : shallowest;
+        }
+        face.share[shallowest] += all;
+    }
+
+    //! Takes away what corners of A and B count together.
+    DEMENS_FUNCTION void corners_that_meet(SeenFace const& a, SeenFace const& b)
+    {
+        for (int i = 0; i < a.count; ++i)
+            for (int j = 0; j < b.count && a.overlap[i] > 0; ++j) {
+                Vector3 const apart = b.corner(j) - a.corner(i);
+                double const squared = norm_squared(apart);
+                if (b.overlap[j] <= 0 || squared >= reach_ * reach_ || squared == 0)
+                    continue;
+                double const distance = std::sqrt(squared);
+                add(a.corner(i) + 0.5 * apart, apart / distance, distance, -a.share[i] * b.share[j],
+                    feature_id(ContactFeature::vertices, a.vertices[i], b.vertices[j]));
+            }
+    }
+
+    //! An end of one edge on the other.
+    struct End
+    {
+        Vector3 middle, offset; //!< the latter from A to B [m]
+        double distance;
+        double ratio; //!< of its energy to that of the edges
+        std::uint32_t feature;
+    };
+    DEMENS_FUNCTION End end_on(Vector3 const& end, Vector3 const& from, Vector3 const& along, double sense,
+                               double overlap, std::uint32_t feature) const
+    {
+        double const length = norm_squared(along), at = dot(end - from, along);
+        double const t = at <= 0 ? 0 : at >= length ? 1 : at / length;
+        Vector3 const offset = from + t * along - end;
+        double const squared = norm_squared(offset);
+        End result{end + 0.5 * offset, sense * offset, 0, 0, feature};
+        if (squared < reach_ * reach_ && squared > 0) {
+            result.distance = std::sqrt(squared);
+            double const depth = (reach_ - result.distance) / overlap;
+            result.ratio = depth < 1 ? depth * depth * std::sqrt(depth) : 1;
+        }
+        return result;
+    }
+
     DEMENS_FUNCTION void cross_edges(SeenFace const& a, int i, SeenFace const& b, int j)
     {
+        int const i1 = a.after(i), j1 = b.after(j);
         Vector3 const from_a = a.corner(i), from_b = b.corner(j);
-        Vector3 const along_a = a.corner(a.after(i)) - from_a, along_b = b.corner(b.after(j)) - from_b;
+        Vector3 const along_a = a.corner(i1) - from_a, along_b = b.corner(j1) - from_b;
         Vector3 const across = cross(along_a, along_b), apart = from_b - from_a;
         double const area = norm_squared(across);
         double const s = dot(cross(apart, along_b), across), t = dot(cross(apart, along_a), across);
         if (!(s > 0 && s < area && t > 0 && t < area))
             return;
         Vector3 const offset = (dot(apart, across) / area) * across;
-        double const squared = norm_squared(offset), room = reach_ * reach_ - squared;
-        if (room <= 0)
+        double const squared = norm_squared(offset);
+        if (squared >= reach_ * reach_ || squared == 0)
             return;
-        double const part_a = s / area, part_b = t / area;
-        double const end_a = part_a < 0.5 ? part_a : 1 - part_a, end_b = part_b < 0.5 ? part_b : 1 - part_b;
-        double const length_a = norm_squared(along_a), length_b = norm_squared(along_b);
-        // The square of the shorter one's length times the sine of their angle.
-        double const turned = area / (length_a > length_b ? length_a : length_b);
-        double const part = ramp(end_a * end_a * length_a / room) * ramp(end_b * end_b * length_b / room) *
-                            ramp(0.25 * turned / room);
-        double const distance = set_.state == CoreState::overlapping ? 0 : std::sqrt(squared);
-        add(from_a + part_a * along_a + 0.5 * offset, distance > 0 ? offset / distance : Vector3{0, 0, 1},
-            distance > 0 ? distance : offset.z, part,
+        double const distance = std::sqrt(squared), overlap = reach_ - distance;
+        End const ends[4] = {
+            end_on(from_a, from_b, along_b, 1, overlap,
+                   feature_id(ContactFeature::vertex_of_a_on_edge, a.vertices[i], b.edges[j])),
+            end_on(a.corner(i1), from_b, along_b, 1, overlap,
+                   feature_id(ContactFeature::vertex_of_a_on_edge, a.vertices[i1], b.edges[j])),
+            end_on(from_b, from_a, along_a, -1, overlap,
+                   feature_id(ContactFeature::vertex_of_b_on_edge, a.edges[i], b.vertices[j])),
+            end_on(b.corner(j1), from_a, along_a, -1, overlap,
+                   feature_id(ContactFeature::vertex_of_b_on_edge, a.edges[i], b.vertices[j1]))};
+        double share = 1;
+        for (End const& end : ends)
+            share *= 1 - end.ratio;
+        for (int k = 0; k < 4; ++k) {
+            if (ends[k].ratio == 0)
+                continue;
+            double others = 1;
+            for (int l = 0; l < 4; ++l)
+                others *= l == k ? 1 : 1 - ends[l].ratio;
+            share += ends[k].ratio * others;
+            add(ends[k].middle, ends[k].offset / ends[k].distance, ends[k].distance, -others,
+                ends[k].feature);
+        }
+        add(from_a + (s / area) * along_a + 0.5 * offset, offset / distance, distance, share,
             feature_id(ContactFeature::edges, a.edges[i], b.edges[j]));
     }
 

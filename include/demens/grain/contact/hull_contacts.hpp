@@ -10,8 +10,9 @@ namespace demens::grain {
 //!
 //! The distance of the cores says whether they do, and its normal which faces face each other. Each corner of
 //! such a face that is nearer to the other than the roundings is a contact, and so are each two edges of them
-//! whose nearest points lie within both, each with the normal of its own distance. What touches at one place
-//! shares a force (`ContactSet::find_shares`). The deepest contact has the cores' distance and normal.
+//! whose nearest points lie within both, each along its own distance; what is counted twice is taken away
+//! (`FacePair`). The deepest contact has the cores' distance and normal. Cores that overlap have one contact,
+//! along the last normal.
 DEMENS_FUNCTION inline void hull_contacts(CorePair const& pair, double rounding_a, double rounding_b,
                                           PairMemory& memory, ContactSet& set)
 {
@@ -25,7 +26,7 @@ DEMENS_FUNCTION inline void hull_contacts(CorePair const& pair, double rounding_
     Vector3 const &n = nearest.normal, n_in_b = pair.images.inverse(n);
     int const face_a = facing_face(pair.a, nearest.vertex_a, nearest.size, n);
     int const face_b = facing_face(pair.b, nearest.vertex_b, nearest.size, -n_in_b);
-    if (face_a >= 0 && face_b >= 0) {
+    if (nearest.state == CoreState::near && face_a >= 0 && face_b >= 0) {
         SeenFace a, b;
         ContactAxes const axes(n);
         a.see(pair.a, pair.a.faces[face_a], pair.scale_a * axes.u, pair.scale_a * axes.w, pair.scale_a * n,
@@ -39,8 +40,6 @@ DEMENS_FUNCTION inline void hull_contacts(CorePair const& pair, double rounding_
     if (set.count == 0)
         set.add({0.5 * (nearest.on_a + nearest.on_b + (rounding_a - rounding_b) * n), n, reach - nearest.gap,
                  1, feature_id(ContactFeature::edges, nearest.vertex_a[0], nearest.vertex_b[0])});
-    else if (set.count > 1)
-        set.find_shares(reach);
 }
 
 } // namespace demens::grain

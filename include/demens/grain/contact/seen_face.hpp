@@ -54,13 +54,15 @@ struct ToFace
 struct SeenFace
 {
     static constexpr int most = most_face_corners;
-    double u[most], w[most], h[most]; //!< corners [m]; h along the normal of the contact
-    double depth[most];               //!< of corners, beyond the height from which on they may touch [m]
-    Box sides[most];                  //!< what of each side may touch
-    Box zone;                         //!< all of that
+    double u[most], w[most], h[most];  //!< corners [m]; h along the normal of the contact
+    double depth[most];                //!< of corners, beyond the height from which on they may touch [m]
+    double overlap[most], share[most]; //!< of corners that touch: 0 for others [m]; how much each counts
+    Box sides[most];                   //!< what of each side may touch
+    Box zone;                          //!< all of that
     std::uint16_t vertices[most], edges[most];
     int count;
-    Vector3 normal; //!< unit, outwards
+    double shortest; //!< square of the shortest side's length [m^2]
+    Vector3 normal;  //!< unit, outwards
 
     DEMENS_INLINE DEMENS_FUNCTION Vector3 corner(int k) const { return {u[k], w[k], h[k]}; }
     DEMENS_INLINE DEMENS_FUNCTION int after(int k) const { return k + 1 < count ? k + 1 : 0; }
@@ -77,6 +79,11 @@ struct SeenFace
             u[k] = origin.x + dot(v, to_u);
             w[k] = origin.y + dot(v, to_w);
             h[k] = origin.z + dot(v, to_h);
+        }
+        shortest = Box::far;
+        for (int k = 0; k < count; ++k) {
+            double const squared = norm_squared(corner(after(k)) - corner(k));
+            shortest = squared < shortest ? squared : shortest;
         }
         normal = {dot(face.normal, to_u), dot(face.normal, to_w), dot(face.normal, to_h)};
     }
