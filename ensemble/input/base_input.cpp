@@ -1,5 +1,7 @@
 #include "ensemble/input/base_input.hpp"
 
+#include "ensemble/input/shapes.hpp"
+
 namespace demens::ensemble::input {
 
 namespace {
@@ -81,8 +83,11 @@ rig::RunInput make_run_input(BaseInput const& base, int experiment, std::uint64_
         input.model.materials.push_back(contact::make_material(material.name, material.values));
     for (auto const& pair : base.pairs)
         input.model.pairs.push_back(contact::make_pair(pair.first, pair.second, pair.values));
-    for (auto const& sizes : base.size_distributions)
+    for (auto const& sizes : base.size_distributions) {
         input.size_distributions.emplace(sizes.name, make_size_distribution(sizes));
+        if (!sizes.shapes.empty())
+            input.shapes_of_sizes.emplace(sizes.name, make_mixture(sizes, base.shapes));
+    }
     input.experiment = base.experiments.at(static_cast<std::size_t>(experiment));
     input.seed = seed;
     input.files = base.files;

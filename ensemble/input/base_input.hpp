@@ -24,13 +24,31 @@ struct PairTable
     std::string name() const { return first + "_" + second; }
 };
 
+//! One `[shape.NAME]`.
+struct ShapeTable
+{
+    std::string name;
+    grain::Clump spheres; //!< as its author wrote them
+    grain::SizeMeasure measure;
+    grain::GrainShape shape;
+};
+
+//! A shape in a size distribution.
+struct ShapeShare
+{
+    std::string name; //!< of its table, or "sphere"
+    double share;
+};
+
 //! Lists of one size distribution, as its author wrote them.
 struct SizeTable
 {
     std::string name;
-    bool classes;                  //!< discrete classes rather than a cumulative curve
-    std::vector<double> diameters; //!< [mm]
-    std::vector<double> fractions; //!< of the mass
+    bool classes;                        //!< discrete classes rather than a cumulative curve
+    std::vector<double> diameters;       //!< [mm]
+    std::vector<double> fractions;       //!< of the mass
+    std::vector<ShapeShare> shapes = {}; //!< none: spheres
+    grain::ShareOf share_of = grain::ShareOf::mass;
 };
 
 //! Where a number of the base input is kept.
@@ -56,6 +74,7 @@ struct BaseInput
 {
     std::vector<MaterialTable> materials;
     std::vector<PairTable> pairs;
+    std::vector<ShapeTable> shapes;
     std::vector<SizeTable> size_distributions;
     std::vector<OptionValues> experiments;               //!< options of the rig, one entry an experiment
     std::vector<std::vector<ScalarPlace>> factor_places; //!< one entry a factor
@@ -70,10 +89,11 @@ struct BaseInput
     std::vector<std::string> size_distribution_names() const;
 };
 
-//! Reads `[material.NAME]`, `[contact.A_B]` and `[size_distribution.NAME]`.
-BaseInput read_base_model(InputTable const& file);
+//! Reads `[material.NAME]`, `[contact.A_B]`, `[shape.NAME]` and `[size_distribution.NAME]`.
+BaseInput read_base_model(InputTable const& file, FileSource const& files);
 //! Reads one `[size_distribution.NAME]`.
-SizeTable read_size_distribution(InputTable const& table, std::string const& name);
+SizeTable read_size_distribution(InputTable const& table, std::string const& name,
+                                 std::vector<ShapeTable> const& shapes = {});
 //! Reads `[[experiment]]`; the options of their rigs go to `base`. \return also the tables, for later
 //! messages
 struct ReadExperiments

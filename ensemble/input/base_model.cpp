@@ -1,6 +1,7 @@
 #include "ensemble/input/base_input.hpp"
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/nearest.hpp"
+#include "ensemble/input/shapes.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -81,9 +82,12 @@ void check_name(InputTable const& table, std::string const& key, std::string con
                           "that paths and expressions can use it");
 }
 
-SizeTable read_size_distribution(InputTable const& table, std::string const& name)
+SizeTable read_size_distribution(InputTable const& table, std::string const& name,
+                                 std::vector<ShapeTable> const& shapes)
 {
-    table.allow_only(keys_of(size_distribution_lists()));
+    auto known = keys_of(size_distribution_lists());
+    known.emplace_back("shape_fraction_of");
+    table.allow_only(known);
     bool const curve = table.has("diameters_mm") || table.has("cumulative_mass_fraction");
     bool const classes = table.has("classes_mm") || table.has("mass_fraction");
     if (curve == classes)
@@ -99,25 +103,34 @@ SizeTable read_size_distribution(InputTable const& table, std::string const& nam
     if (sizes.diameters.size() != sizes.fractions.size() || sizes.diameters.empty())
         throw table.error(fractions, fmt::format("has {} values where {} has {}; give one for each",
                                                  sizes.fractions.size(), diameters, sizes.diameters.size()));
+    sizes.shapes = read_shape_shares(table, shapes);
+    sizes.share_of = read_share_of(table);
     try {
         make_size_distribution(sizes);
     } catch (InputError const& error) {
         throw table.error(fmt::format("{} (diameters in m here)", error.what()));
     }
+    try {
+        if (!sizes.shapes.empty())
+            grain::Grains(make_size_distribution(sizes), make_mixture(sizes, shapes));
+    } catch (InputError const& error) {
+        throw table.error("shape_fraction", error.what());
+    }
     return sizes;
 }
 
-BaseInput read_base_model(InputTable const& file)
+BaseInput read_base_model(InputTable const& file, FileSource const& files)
 {
     BaseInput base;
     read_materials(file.table("material"), base);
     auto const contacts = file.table("contact");
     for (auto const& name : contacts.keys())
         base.pairs.push_back(read_pair(contacts, name, base));
+    base.shapes = read_shapes(file.table("shape"), files, base.files);
     auto const sizes = file.table("size_distribution");
     for (auto const& name : sizes.keys()) {
         check_name(sizes, name, name);
-        base.size_distributions.push_back(read_size_distribution(sizes.table(name), name));
+        base.size_distributions.push_back(read_size_distribution(sizes.table(name), name, base.shapes));
     }
     return base;
 }

@@ -42,7 +42,7 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     if (old_words == input::OldWords::understood)
         input::understand_old_words(parsed);
     input::InputTable const file(parsed, "", origin);
-    file.allow_only({"campaign", "material", "contact", "size_distribution", "experiment", "factor",
+    file.allow_only({"campaign", "material", "contact", "shape", "size_distribution", "experiment", "factor",
                      "constraint", "screening", "design", "objective", "surrogate", "search", "solver",
                      "stop", "run", "gap", "effect"});
 
@@ -51,7 +51,7 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     campaign.name = header.text("name");
     campaign.seed = static_cast<std::uint64_t>(header.integer("seed"));
 
-    auto tree = std::make_shared<Tree>(Tree{input::read_base_model(file)});
+    auto tree = std::make_shared<Tree>(Tree{input::read_base_model(file, files)});
     auto [experiments, experiment_tables, notes] = input::read_experiments(file, *tree, rigs, files);
     campaign.experiments = std::move(experiments);
     campaign.notes_ = std::move(notes);

@@ -232,18 +232,6 @@ std::vector<OptionSpec> const& constraint_options()
     return specs;
 }
 
-std::vector<ListSpec> const& size_distribution_lists()
-{
-    static std::vector<ListSpec> const specs = {
-        {"diameters_mm", "numbers", "sphere diameters, not decreasing [mm]"},
-        {"cumulative_mass_fraction", "numbers",
-         "share of the mass below each of `diameters_mm`, up to 1 [-]"},
-        {"classes_mm", "numbers", "instead of the two above: diameters of discrete classes [mm]"},
-        {"mass_fraction", "numbers", "share of the mass in each of `classes_mm`; they sum to 1 [-]"},
-    };
-    return specs;
-}
-
 std::vector<ListSpec> const& picture_lists()
 {
     static std::vector<ListSpec> const specs = {
@@ -314,7 +302,10 @@ std::vector<SectionInfo> const& all_sections()
         {"[material.NAME]", "a material of particles or walls", contact::material_options()},
         {"[contact.A_B]", "laws and coefficients of the pair of materials A and B, in either order",
          contact::pair_options()},
-        {"[size_distribution.NAME]", "sphere sizes by mass", {}, size_distribution_lists()},
+        {"[shape.NAME]", "a grain that is no sphere: spheres that move as one body", shape_options(),
+         shape_lists()},
+        {"[size_distribution.NAME]", "sizes of grains by mass", size_distribution_options(),
+         size_distribution_lists()},
         {"[[experiment]]", "a rig under one set of conditions; beside these keys those of its rig",
          experiment_options()},
         {"target.RESPONSE", "in an experiment: a measured value that the response of the rig should meet",

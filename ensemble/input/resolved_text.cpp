@@ -1,5 +1,6 @@
 #include "ensemble/input/resolved_text.hpp"
 
+#include "demens/grain/words.hpp"
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/section.hpp"
 #include "ensemble/input/toml_text.hpp"
@@ -90,12 +91,31 @@ void write_base(Writer& out, BaseInput const& base)
         out.heading("[contact." + pair.name() + "]");
         out.options(contact::pair_options(), pair.values);
     }
+    for (auto const& shape : base.shapes) {
+        out.heading("[shape." + shape.name + "]");
+        OptionValues values;
+        values.set("size", std::string(word_for(shape.measure)));
+        out.options({spec_of(shape_options(), "size")}, values);
+        auto const row = [](grain::Ball const& ball) {
+            return list(std::vector{ball.place.x, ball.place.y, ball.place.z, ball.radius}, number_text);
+        };
+        out.lists(shape_lists(), {{"spheres", list(shape.spheres, row)}});
+    }
     for (auto const& sizes : base.size_distributions) {
         out.heading("[size_distribution." + sizes.name + "]");
-        out.lists(size_distribution_lists(),
-                  {{sizes.classes ? "classes_mm" : "diameters_mm", list(sizes.diameters, number_text)},
-                   {sizes.classes ? "mass_fraction" : "cumulative_mass_fraction",
-                    list(sizes.fractions, number_text)}});
+        std::map<std::string, std::string> lists = {
+            {sizes.classes ? "classes_mm" : "diameters_mm", list(sizes.diameters, number_text)},
+            {sizes.classes ? "mass_fraction" : "cumulative_mass_fraction",
+             list(sizes.fractions, number_text)}};
+        if (!sizes.shapes.empty()) {
+            lists["shapes"] = list(sizes.shapes, [](ShapeShare const& s) { return quoted(s.name); });
+            lists["shape_fraction"] =
+                list(sizes.shapes, [](ShapeShare const& s) { return number_text(s.share); });
+            OptionValues values;
+            values.set("shape_fraction_of", std::string(word_for(sizes.share_of)));
+            out.options(size_distribution_options(), values);
+        }
+        out.lists(size_distribution_lists(), lists);
     }
 }
 

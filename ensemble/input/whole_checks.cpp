@@ -1,5 +1,6 @@
 #include "ensemble/input/whole_checks.hpp"
 
+#include "demens/rig/programme/programme.hpp"
 #include "ensemble/input/design_table.hpp"
 #include "ensemble/input/input_options.hpp"
 
@@ -145,6 +146,10 @@ std::string refusal(CampaignInput const& input, BaseInput const& base, std::size
         auto const run = make_run_input(base, point, static_cast<int>(experiment), input.seed);
         if (auto const& check = input.experiments[experiment].rig->check)
             check(run);
+        // What several ranks cannot share.
+        if (auto const& describe = input.experiments[experiment].rig->describe;
+            describe && input.run.ranks_per_group > 1)
+            rig::programme_of(*input.experiments[experiment].rig, run, input.run.ranks_per_group);
     } catch (InputError const& error) {
         return error.what();
     }

@@ -25,6 +25,10 @@ class PolyData
     {
         point_data_xml_ += array(name, components, values);
     }
+    void add_numbers(std::string const& name, std::vector<std::int64_t> const& values)
+    {
+        point_data_xml_ += array(name, 1, values);
+    }
     //! `kind` is Verts or Polys; cell i has the points from end i - 1 to end i.
     void set_cells(std::string const& kind, std::vector<std::int64_t> const& connectivity,
                    std::vector<std::int64_t> const& ends)
@@ -103,6 +107,8 @@ PolyData particles_of(Snapshot const& snapshot)
         data.add_point_data("velocity", 3, interleaved(snapshot.vx, snapshot.vy, snapshot.vz));
     if (snapshot.wx.size() == count)
         data.add_point_data("angular_velocity", 3, interleaved(snapshot.wx, snapshot.wy, snapshot.wz));
+    if (!snapshot.grain.empty())
+        data.add_numbers("grain", snapshot.grain);
     std::vector<std::int64_t> points(count), ends(count);
     for (std::size_t i = 0; i < count; ++i) {
         points[i] = static_cast<std::int64_t>(i);

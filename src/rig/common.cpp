@@ -1,7 +1,6 @@
 #include "src/rig/common.hpp"
 
 #include "demens/base/error.hpp"
-#include "demens/shape/sample_check.hpp"
 #include "src/rig/option_specs.hpp"
 
 #include <algorithm>
@@ -52,15 +51,43 @@ shape::SizeDistribution size_distribution_of(RunInput const& input)
     return tail > 0 ? sizes.with_class(1e-3 * o.number("tail_mm"), tail) : sizes;
 }
 
-std::vector<std::string> size_warnings(shape::SizeDistribution const& sizes, double mass, double density)
+grain::Grains grains_of(RunInput const& input, std::string const& name, shape::SizeDistribution const& sizes)
 {
-    auto warning = shape::sample_warning(sizes, mass, density);
+    auto const found = input.shapes_of_sizes.find(name);
+    return found == input.shapes_of_sizes.end() ? grain::Grains(sizes) : grain::Grains(sizes, found->second);
+}
+
+grain::Grains grains_of(RunInput const& input)
+{
+    return grains_of(input, input.experiment.text("size_distribution"), size_distribution_of(input));
+}
+
+dem::BodyBatch bodies_of(grain::Grains const& grains, std::vector<grain::Grain> const& sample,
+                         std::vector<shape::GroupPlace> const& places, dem::MaterialId material)
+{
+    dem::BodyBatch bodies;
+    for (std::size_t k = 0; k < places.size(); ++k)
+        bodies.push_back({.position = places[k].centre,
+                          .radius = 0.5 * sample[k].diameter,
+                          .material = material,
+                          .shape = grains.shape_of(sample[k]).shape,
+                          .orientation = places[k].orientation});
+    return bodies;
+}
+
+std::vector<std::string> size_warnings(grain::Grains const& grains, double mass, double density)
+{
+    auto warning = grains.sample_warning(mass, density);
     return warning.empty() ? std::vector<std::string>{} : std::vector{std::move(warning)};
 }
 
-void check_bulk_density(double bulk_density, double density)
+void check_bulk_density(double bulk_density, double density, grain::Grains const& grains)
 {
-    if (bulk_density >= densest * density)
+    if (!grains.are_spheres() && bulk_density >= density)
+        throw InputError(
+            fmt::format("a bulk density of {:.5g} kg/m^3 cannot be reached by grains of {:.5g} kg/m^3",
+                        bulk_density, density));
+    if (grains.are_spheres() && bulk_density >= densest * density)
         throw InputError(
             fmt::format("a bulk density of {:.5g} kg/m^3 cannot be reached: spheres of density {:.5g} kg/m^3 "
                         "pack to at most {} of it",
@@ -75,9 +102,9 @@ void check_room(char const* key, double length, double largest)
             1e3 * length, 1e3 * largest));
 }
 
-double skin_of(OptionValues const& options, shape::SizeDistribution const& sizes)
+double skin_of(OptionValues const& options, grain::Grains const& grains)
 {
-    return options.number("skin") * 0.5 * sizes.mean_volume_diameter();
+    return options.number("skin") * 0.5 * grains.mean_volume_diameter();
 }
 
 OptionSpecs joined(std::initializer_list<OptionSpecs> lists)

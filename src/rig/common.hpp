@@ -41,16 +41,23 @@ contact::PairProperties const& require_pair(contact::Model const& model, std::st
 //! The distribution that `size_distribution` of the experiment names, with what `size_factor` and `tail_...`
 //! change. \throws InputError
 shape::SizeDistribution size_distribution_of(RunInput const& input);
+//! The grains of a distribution: spheres, or what the input says.
+grain::Grains grains_of(RunInput const& input, std::string const& name, shape::SizeDistribution const& sizes);
+//! Those of the experiment's distribution.
+grain::Grains grains_of(RunInput const& input);
 //! What the spheres of a mass [kg] miss of it and of their sizes: a warning or none. \throws InputError where
 //! a class of sizes gets no sphere
-std::vector<std::string> size_warnings(shape::SizeDistribution const& sizes, double mass, double density);
+std::vector<std::string> size_warnings(grain::Grains const& grains, double mass, double density);
 constexpr double densest = 0.74; //!< solid fraction of equal spheres that nothing exceeds
-//! \throws InputError for a bulk density that no spheres of a density reach [kg/m^3]
-void check_bulk_density(double bulk_density, double density);
+//! \throws InputError for a bulk density that no grains of a density reach [kg/m^3]
+void check_bulk_density(double bulk_density, double density, grain::Grains const& grains);
 //! \throws InputError for a length that a key gives and that is too narrow for the largest particle [m]
 void check_room(char const* key, double length, double largest);
 //! What the key `skin` of a bed says [m].
-double skin_of(OptionValues const& options, shape::SizeDistribution const& sizes);
+double skin_of(OptionValues const& options, grain::Grains const& grains);
+//! Grains that were put somewhere, at rest.
+dem::BodyBatch bodies_of(grain::Grains const& grains, std::vector<grain::Grain> const& sample,
+                         std::vector<shape::GroupPlace> const& places, dem::MaterialId material);
 
 //! Largest time step that the rig's particles allow, and what sets it.
 struct TimeStepLimit

@@ -69,6 +69,18 @@ double SizeDistribution::quantile(double mass_fraction) const
     return diameters_[i - 1] + t * (diameters_[i] - diameters_[i - 1]);
 }
 
+double SizeDistribution::fraction_below(double diameter) const
+{
+    auto const above = std::upper_bound(diameters_.begin(), diameters_.end(), diameter);
+    if (above == diameters_.end())
+        return 1;
+    if (above == diameters_.begin())
+        return 0;
+    auto const i = static_cast<std::size_t>(above - diameters_.begin());
+    double const t = (diameter - diameters_[i - 1]) / (diameters_[i] - diameters_[i - 1]);
+    return fractions_[i - 1] + t * (fractions_[i] - fractions_[i - 1]);
+}
+
 double SizeDistribution::spheres_per_volume() const
 {
     // The share dF of the volume at d holds dF/(pi/6 d^3) spheres. F is linear between two points and may

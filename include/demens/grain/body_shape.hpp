@@ -33,4 +33,7 @@ struct BodyShape
     }
 };
 
+//! Of a clump in any axes and of any size. \throws InputError as `check`
+BodyShape body_shape(std::span<Ball const> clump, std::string const& origin);
+
 } // namespace demens::grain

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,14 @@ namespace demens::observe {
 //! Particles at one moment, for pictures and files.
 struct Snapshot
 {
-    std::string name;                         //!< "settled", "final", ...
-    double time = 0;                          //!< [s]
-    std::vector<double> x, y, z, radius;      //!< [m]
-    std::vector<double> vx, vy, vz;           //!< [m/s]; empty where they were not kept
-    std::vector<double> wx, wy, wz;           //!< [rad/s]; empty where they were not kept
+    std::string name;                    //!< "settled", "final", ...
+    double time = 0;                     //!< [s]
+    std::vector<double> x, y, z, radius; //!< [m]
+    std::vector<double> vx, vy, vz;      //!< [m/s]; empty where they were not kept
+    std::vector<double> wx, wy, wz;      //!< [rad/s]; empty where they were not kept
+    //! Number of the grain of each, where grains are made of several spheres; for frames, not kept in a
+    //! campaign file.
+    std::vector<std::int64_t> grain = {};
     std::vector<std::array<double, 6>> walls; //!< axis-aligned wall outlines (x0, y0, z0, x1, y1, z1) [m]
     //! Rims and creases of other walls, from (x0, y0, z0) to (x1, y1, z1) [m].
     std::vector<std::array<double, 6>> wall_lines = {};

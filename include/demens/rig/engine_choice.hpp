@@ -17,9 +17,9 @@ enum class EngineChoice : std::uint8_t
 };
 
 //! What a run needs that only the CPU's engine can do, in words; empty: nothing.
-std::string needs_cpu(bool with_team);
+std::string needs_cpu(bool with_team, bool with_rigid_bodies = false);
 //! \throws InputError where the engine that is asked for cannot do it.
-dem::EngineKind chosen_engine(EngineChoice choice, bool with_team);
+dem::EngineKind chosen_engine(EngineChoice choice, bool with_team, bool with_rigid_bodies = false);
 
 } // namespace demens::rig
 

@@ -4,6 +4,7 @@
 #include "demens/contact/model.hpp"
 #include "demens/dem/energy.hpp"
 #include "demens/dem/team.hpp"
+#include "demens/grain/grains.hpp"
 #include "demens/observe/snapshot.hpp"
 #include "demens/rig/engine_choice.hpp"
 #include "demens/shape/size_distribution.hpp"
@@ -91,6 +92,8 @@ struct RunInput
 {
     contact::Model model;
     std::map<std::string, shape::SizeDistribution> size_distributions;
+    //! Of the distributions whose grains are not spheres, by their names.
+    std::map<std::string, grain::ShapeMixture> shapes_of_sizes = {};
     OptionValues experiment; //!< checked values of the rig's options and tables
     std::uint64_t seed = 0;
     Files files = {};

@@ -20,6 +20,8 @@ class SizeDistribution
 
     //! Diameter [m] below which the given fraction of the mass lies.
     double quantile(double mass_fraction) const;
+    //! Fraction of the mass up to a diameter [m].
+    double fraction_below(double diameter) const;
     //! Diameters [m] of spheres of the density [kg/m^3] whose mass is `mass` [kg] to within half the smallest
     //! sphere.
     std::vector<double> sample_mass(double mass, double density, RandomStream& random) const;

@@ -26,7 +26,8 @@ Programme describe(RunInput const& input)
         .time_step = setup->options.time_step,
         .steps_per_look = std::max<std::int64_t>(1, std::llround(setup->interval / setup->options.time_step)),
         .expected_particles = setup->expected_particles(),
-        .expected_duration = setup->longest_duration()};
+        .expected_duration = setup->longest_duration(),
+        .has_rigid_bodies = setup->has_rigid_bodies()};
     for (auto const& response : setup->responses)
         programme.reads_loads |= response.quantity->reads_loads;
     programme.build = [setup] { return build(*setup); };

@@ -128,11 +128,11 @@ void check_packing(Setup const& setup, ParticleGroup const& group, Packing const
 {
     auto const box = shape::bounds(packing.region);
     Vector3 const extent = box.upper - box.lower;
-    if (std::min({extent.x, extent.y, extent.z}) < packing.largest())
+    if (std::min({extent.x, extent.y, extent.z}) < packing.grains->widest())
         throw InputError(
             fmt::format("particles.{}: no room for the particles: the largest sphere, {:.4g} mm, does not "
                         "fit into its region",
-                        group.name, 1e3 * packing.largest()));
+                        group.name, 1e3 * packing.grains->widest()));
     check_in_domain(setup,
                     {.place = box.lower, .origin = fmt::format("the region of particles.{}", group.name)});
     check_in_domain(setup,
@@ -149,10 +149,10 @@ void check_packing(Setup const& setup, ParticleGroup const& group, Packing const
     };
     RandomStream sizes(1);
     double solid = 0;
-    for (double const d : sample_diameters(packing, setup.density(group), sizes))
+    for (auto const& [d, kind] : sample_of(packing, setup.density(group), sizes))
         solid += std::numbers::pi / 6 * d * d * d;
-    double const room = shape::free_volume(packing.region, 0.25 * packing.smallest(), is_free);
-    constexpr double densest = 0.33;
+    double const room = shape::free_volume(packing.region, 0.25 * packing.grains->smallest_ball(), is_free);
+    double const densest = 0.33 * packing.grains->looseness();
     if (solid > densest * room)
         throw InputError(
             fmt::format("particles.{}: no room for the particles: they have {:.4g} mm^3, their region "
@@ -203,7 +203,7 @@ std::vector<Body> fill(Look& look, Setup const& setup, std::size_t number, Packi
 {
     auto const stream = derive_seed(setup.seed, number + 1);
     RandomStream sizes(derive_seed(stream, 1)), places(derive_seed(stream, 2));
-    auto const diameters = sample_diameters(packing, setup.density(setup.groups[number]), sizes);
+    auto const sample = sample_of(packing, setup.density(setup.groups[number]), sizes);
     std::vector<shape::Sphere> obstacles;
     for (auto const& body : existing(look.particles()))
         obstacles.push_back({body.place, body.radius});
@@ -215,10 +215,15 @@ std::vector<Body> fill(Look& look, Setup const& setup, std::size_t number, Packi
             return wall.active && overlap_with(wall, p, r) > 0;
         });
     };
-    auto const found = shape::fill_region(diameters, packing.region, obstacles, is_free, places);
+    auto const found =
+        shape::place_in_region(packing.grains->outlines(sample), packing.region, obstacles, is_free, places);
     std::vector<Body> bodies;
     for (std::size_t k = 0; k < found.size(); ++k)
-        bodies.push_back({.place = found[k], .radius = 0.5 * diameters[k], .velocity = packing.velocity});
+        bodies.push_back({.place = found[k].centre,
+                          .radius = 0.5 * sample[k].diameter,
+                          .velocity = packing.velocity,
+                          .shape = packing.grains->shape_of(sample[k]).shape,
+                          .orientation = found[k].orientation});
     return bodies;
 }
 
@@ -291,7 +296,8 @@ void enter(Bench& bench, Setup const& setup, std::size_t stage)
         dem::MaterialId const material = material_id(setup.model, setup.groups[g].material);
         dem::BodyBatch batch;
         for (auto const& body : bodies_of(look, setup, g))
-            batch.push_back({body.place, body.radius, material, body.velocity, body.spin});
+            batch.push_back(
+                {body.place, body.radius, material, body.velocity, body.spin, body.shape, body.orientation});
         auto& ids = bench.progress.groups[g].ids;
         DEMENS_EXPECT(ids.size() == 0, "a group enters once");
         ids = bench.simulation.add(batch);

@@ -1,20 +1,24 @@
 #pragma once
 
-#include "demens/base/vector3.hpp"
+#include "demens/base/quaternion.hpp"
+#include "demens/grain/body_shape.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace demens::rig::custom {
 
-//! A sphere as it enters a simulation.
+//! A grain as it enters a simulation.
 struct Body
 {
-    Vector3 place;           //!< [m]
-    double radius = 0;       //!< [m]
-    Vector3 velocity = {};   //!< [m/s]
-    Vector3 spin = {};       //!< [rad/s]
-    std::string origin = {}; //!< where it was given, for messages
+    Vector3 place;                                      //!< [m]
+    double radius = 0;                                  //!< of the sphere of the same volume [m]
+    Vector3 velocity = {};                              //!< [m/s]
+    Vector3 spin = {};                                  //!< [rad/s]
+    std::string origin = {};                            //!< where it was given, for messages
+    std::shared_ptr<grain::BodyShape const> shape = {}; //!< none: a sphere
+    Quaternion orientation = {};
 };
 
 //! The spheres of a table, and its columns that say nothing of them.

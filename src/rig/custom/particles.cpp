@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "demens/shape/sample_check.hpp"
+#include "src/rig/common.hpp"
 #include "src/rig/custom/geometry.hpp"
 #include "src/rig/custom/selection.hpp"
 #include "src/rig/kinds.hpp"
@@ -59,6 +60,8 @@ Source read_packing(OptionValues const& o, RunInput const& input, Regions const&
         packing.diameter = 1e-3 * o.number("diameter_mm");
     else
         packing.sizes = input.size_distributions.at(sizes);
+    packing.grains = one_size ? grain::Grains(shape::SizeDistribution({packing.diameter}, {1}))
+                              : grains_of(input, sizes, *packing.sizes);
     packing.count = o.integer("count");
     packing.mass = o.number("mass_kg");
     if ((packing.count > 0) == (packing.mass > 0))
@@ -129,10 +132,16 @@ bool ParticleGroup::is_one_body() const
     return packing ? packing->count == 1 : std::get<ParticleTable>(source).bodies.size() == 1;
 }
 
+bool ParticleGroup::are_spheres() const
+{
+    auto const* packing = std::get_if<Packing>(&source);
+    return !packing || packing->grains->are_spheres();
+}
+
 double ParticleGroup::smallest() const
 {
     if (auto const* packing = std::get_if<Packing>(&source))
-        return packing->smallest();
+        return packing->grains->smallest_ball();
     auto const& bodies = std::get<ParticleTable>(source).bodies;
     return 2 * std::min_element(bodies.begin(), bodies.end(), [](auto const& a, auto const& b) {
                    return a.radius < b.radius;
@@ -144,6 +153,8 @@ double ParticleGroup::expected_count(double density) const
     if (auto const* packing = std::get_if<Packing>(&source)) {
         if (packing->count > 0)
             return static_cast<double>(packing->count);
+        if (!packing->grains->are_spheres())
+            return packing->mass / density * packing->grains->per_volume();
         double per_mass = 0; // mean of 1/m over the mass
         constexpr int samples = 100;
         for (int k = 0; k < samples; ++k) {
@@ -199,13 +210,16 @@ std::vector<std::string> particle_warnings(ParticleGroup const& group, double de
         std::string missed;
         if (packing->sizes && packing->count > 1) {
             RandomStream any_order(1);
-            auto const diameters = sample_diameters(*packing, density, any_order);
+            std::vector<double> diameters;
             double mass = 0;
-            for (double const d : diameters)
-                mass += sphere_mass(d, density);
-            missed = shape::SampleCheck(*packing->sizes, diameters, mass, density).warning;
+            for (auto const& grain : sample_of(*packing, density, any_order)) {
+                diameters.push_back(grain.diameter);
+                mass += sphere_mass(grain.diameter, density);
+            }
+            if (packing->grains->are_spheres())
+                missed = shape::SampleCheck(*packing->sizes, diameters, mass, density).warning;
         } else if (packing->sizes && packing->count == 0) {
-            missed = shape::sample_warning(*packing->sizes, packing->mass, density);
+            missed = packing->grains->sample_warning(packing->mass, density);
         } else if (packing->count == 0) {
             std::vector<double> const diameters(count_of_mass(*packing, density), packing->diameter);
             missed = shape::SampleCheck(shape::SizeDistribution({packing->diameter}, {1}), diameters,
@@ -220,33 +234,33 @@ std::vector<std::string> particle_warnings(ParticleGroup const& group, double de
     return warnings;
 }
 
-std::vector<double> sample_diameters(Packing const& packing, double density, RandomStream& random)
+std::vector<grain::Grain> sample_of(Packing const& packing, double density, RandomStream& random)
 {
     auto const of_mass = [&](double mass) {
         RandomStream same_numbers = random;
-        return packing.sizes->sample_mass(mass, density, same_numbers);
+        return packing.grains->sample_mass(mass, density, same_numbers);
     };
     if (!packing.sizes) {
         auto const count =
             packing.count > 0 ? static_cast<std::size_t>(packing.count) : count_of_mass(packing, density);
-        return std::vector<double>(count, packing.diameter);
+        return std::vector<grain::Grain>(count, {packing.diameter, 0});
     }
     if (packing.count == 0) {
         RandomStream same_numbers = random;
-        return in_place(packing.where, [&] {
-            return shape::sample_whole(*packing.sizes, packing.mass, density, same_numbers);
-        });
+        return in_place(packing.where,
+                        [&] { return packing.grains->sample_whole(packing.mass, density, same_numbers); });
     }
     // The mass that has as many spheres; one too many goes.
     auto const wanted = static_cast<std::size_t>(packing.count);
-    double too_little = 0, enough = sphere_mass(packing.largest(), density) * static_cast<double>(wanted + 1);
+    double too_little = 0,
+           enough = sphere_mass(packing.grains->largest(), density) * static_cast<double>(wanted + 1);
     for (int k = 0; k < 50; ++k) {
         double const middle = 0.5 * (too_little + enough);
         (of_mass(middle).size() < wanted ? too_little : enough) = middle;
     }
-    auto diameters = of_mass(enough);
-    diameters.resize(wanted);
-    return diameters;
+    auto grains = of_mass(enough);
+    grains.resize(wanted);
+    return grains;
 }
 
 } // namespace demens::rig::custom

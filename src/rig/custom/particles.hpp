@@ -13,20 +13,18 @@ namespace demens::rig::custom {
 //! `[[experiment.particles]]`
 TableSpec particles_table();
 
-//! Spheres at random places in a region.
+//! Grains at random places in a region.
 struct Packing
 {
     shape::Region region;
     std::optional<shape::Region> within = {};          //!< lies in this one too
     std::optional<shape::SizeDistribution> sizes = {}; //!< none: all of one diameter
+    std::optional<grain::Grains> grains = {};          //!< of these sizes, or of the diameter
     double diameter = 0;                               //!< of all, where there is no distribution [m]
     std::int64_t count = 0;                            //!< 0: as many as make the mass
     double mass = 0;                                   //!< [kg]
     Vector3 velocity = {};                             //!< [m/s]
     std::string where = {};                            //!< its table in messages
-
-    double largest() const { return sizes ? sizes->largest() : diameter; }
-    double smallest() const { return sizes ? sizes->smallest() : diameter; }
 };
 
 //! Particles that enter together.
@@ -40,7 +38,8 @@ struct ParticleGroup
     std::optional<double> clearance;
 
     bool is_one_body() const;
-    double smallest() const; //!< diameter [m]
+    bool are_spheres() const;
+    double smallest() const; //!< diameter [m]; of other grains that of their smallest sphere
     double expected_count(double density) const;
     shape::BoxRegion bounds() const; //!< of where they enter
 };
@@ -51,7 +50,7 @@ std::vector<ParticleGroup> read_particles(RunInput const& input, Regions const& 
 //! What a group's author may not expect: columns that are not used, masses that whole spheres cannot meet.
 std::vector<std::string> particle_warnings(ParticleGroup const& group, double density);
 
-//! Diameters [m] of a packing's spheres. \throws InputError where whole spheres leave a class of sizes out
-std::vector<double> sample_diameters(Packing const& packing, double density, RandomStream& random);
+//! Grains of a packing. \throws InputError where whole ones leave a class of sizes out
+std::vector<grain::Grain> sample_of(Packing const& packing, double density, RandomStream& random);
 
 } // namespace demens::rig::custom

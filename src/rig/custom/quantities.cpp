@@ -130,19 +130,20 @@ double segregation(Sight const& sight)
     everybody.group.reset();
     Selection const group{{}, sight.plan.selection.group};
     for_each(sight.look, everybody, [&](dem::StateView const& all, std::size_t k) {
-        sum.add(all.position(k), all.mass(k), group.contains(sight.look, k));
+        sum.add(all.position(k), all.mass(k), group.contains(sight.look, all, k));
     });
     return sum.intensity();
 }
 
-//! Places of the selected particles in upright coordinates.
+//! Outline of the selected particles: the spheres that they are made of, in upright coordinates.
 std::vector<dem::Place> upright_places(Sight const& sight, Upright const& upright)
 {
     std::vector<dem::Place> places;
-    for_each(sight.look, sight.plan.selection, [&](dem::StateView const& all, std::size_t k) {
-        auto const p = upright.upright(all.position(k));
-        places.push_back({p.x, p.y, p.z, all.radius(k)});
-    });
+    for_each(sight.look, sight.look.particles(), sight.plan.selection,
+             [&](dem::StateView const& all, std::size_t k) {
+                 auto const p = upright.upright(all.position(k));
+                 places.push_back({p.x, p.y, p.z, all.radius(k)});
+             });
     return places;
 }
 

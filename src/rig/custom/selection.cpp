@@ -13,12 +13,11 @@ Selection read_selection(OptionValues const& options, OptionValues const& experi
     return selection;
 }
 
-bool Selection::contains(Look& look, std::size_t particle) const
+bool Selection::contains(Look& look, dem::StateView const& all, std::size_t k) const
 {
-    auto const& particles = look.particles();
-    if (group && !look.progress().groups[*group].ids.contains(particles.id(particle)))
+    if (group && !look.progress().groups[*group].ids.contains(all.id(k)))
         return false;
-    return !region || shape::contains(*region, particles.position(particle));
+    return !region || shape::contains(*region, all.position(k));
 }
 
 double count(Look& look, Selection const& selection)

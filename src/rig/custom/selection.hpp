@@ -14,19 +14,25 @@ struct Selection
     std::optional<shape::Region> region = {};
     std::optional<std::size_t> group = {};
 
-    bool contains(Look& look, std::size_t particle) const;
+    //! \param all `look.grains()` or `look.particles()` \param k number of one of them
+    bool contains(Look& look, dem::StateView const& all, std::size_t k) const;
 };
 //! From the keys `region` and `of`.
 Selection read_selection(OptionValues const& options, OptionValues const& experiment, Regions const& regions);
 
-//! Calls `visit(particles, number)` for the selected particles, in the order of their numbers.
+//! Calls `visit(all, number)` for the selected ones of all, in the order of their numbers.
+template <class Visit>
+void for_each(Look& look, dem::StateView const& all, Selection const& selection, Visit&& visit)
+{
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (selection.contains(look, all, k))
+            visit(all, k);
+}
+//! The same for whole grains, by their centres.
 template <class Visit>
 void for_each(Look& look, Selection const& selection, Visit&& visit)
 {
-    auto const& particles = look.particles();
-    for (std::size_t k = 0; k < particles.size(); ++k)
-        if (selection.contains(look, k))
-            visit(particles, k);
+    for_each(look, look.grains(), selection, visit);
 }
 
 double count(Look& look, Selection const& selection);

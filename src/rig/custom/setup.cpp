@@ -145,6 +145,11 @@ double Setup::longest_duration() const
     return sum;
 }
 
+bool Setup::has_rigid_bodies() const
+{
+    return !std::all_of(groups.begin(), groups.end(), [](auto const& group) { return group.are_spheres(); });
+}
+
 double Setup::expected_particles() const
 {
     double sum = 0;

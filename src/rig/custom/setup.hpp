@@ -33,6 +33,7 @@ struct Setup
     bool is_on(WallPlan const& wall, std::size_t stage) const;
     double longest_duration() const; // [s]
     double expected_particles() const;
+    bool has_rigid_bodies() const; // grains of several spheres
 };
 
 } // namespace demens::rig::custom

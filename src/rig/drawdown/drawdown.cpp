@@ -2,7 +2,6 @@
 
 #include "demens/rig/programme/programme_run.hpp"
 #include "demens/shape/packing.hpp"
-#include "demens/shape/sample_check.hpp"
 #include "src/rig/rest.hpp"
 #include "src/rig/rigs.hpp"
 
@@ -55,7 +54,7 @@ std::vector<dem::Wall> walls(Setup const& rig, double top)
                          .material = glass};
     };
     // The gate slides in two halves just below the floor.
-    double const gate_z = -0.05 * rig.sizes.smallest();
+    double const gate_z = -0.05 * rig.grains.smallest_ball();
     std::vector<dem::Wall> all = {window(-0.5 * rig.depth),
                                   window(0.5 * rig.depth),
                                   floor(-half - beyond, -half_slot, 0),
@@ -76,21 +75,19 @@ std::vector<dem::Wall> walls(Setup const& rig, double top)
 Apparatus build(Setup const& rig)
 {
     RandomStream size_stream(derive_seed(rig.seed, 1)), place_stream(derive_seed(rig.seed, 2));
-    auto const diameters = shape::sample_whole(rig.sizes, rig.mass, rig.density, size_stream);
-    auto const places = shape::loose_packing(diameters, {-0.5 * rig.width, -0.5 * rig.depth, 1e-4}, rig.width,
-                                             rig.depth, 0.28, place_stream);
+    auto const sample = rig.grains.sample_whole(rig.mass, rig.density, size_stream);
+    auto const places =
+        shape::place_loosely(rig.grains.outlines(sample), {-0.5 * rig.width, -0.5 * rig.depth, 1e-4},
+                             rig.width, rig.depth, 0.28 * rig.grains.looseness(), place_stream);
     double top = 0;
-    for (Vector3 const& p : places)
-        top = std::max(top, p.z + rig.sizes.largest());
+    for (auto const& place : places)
+        top = std::max(top, place.centre.z + rig.grains.widest());
     double const beyond = std::max(rig.width, rig.lower_width);
     Apparatus apparatus{.model = rig.model, .options = simulation_options(rig.options, rig.time_step)};
     apparatus.options.skin = rig.skin;
     apparatus.options.domain_lower = {-beyond, -rig.depth, -rig.drop - 0.1};
     apparatus.options.domain_upper = {beyond, rig.depth, top + 1};
-    dem::MaterialId const material = material_id(rig.model, rig.material);
-    for (std::size_t k = 0; k < places.size(); ++k)
-        apparatus.bodies.push_back(
-            {.position = places[k], .radius = 0.5 * diameters[k], .material = material});
+    apparatus.bodies = bodies_of(rig.grains, sample, places, material_id(rig.model, rig.material));
     apparatus.walls = walls(rig, top);
     return apparatus;
 }
@@ -118,7 +115,7 @@ bool rests(Look& look, Setup const& rig)
 {
     auto& simulation = look.simulation();
     double const particles = static_cast<double>(simulation.counts().particles);
-    double const at_rest = rig.mass / particles * rig.gravity * 1e-3 * rig.sizes.quantile(0.5);
+    double const at_rest = rig.mass / particles * rig.gravity * 1e-3 * rig.grains.quantile(0.5);
     return simulation.kinetic_energy() / particles < at_rest;
 }
 
@@ -207,8 +204,9 @@ Programme describe(RunInput const& input)
                         .steps_per_look =
                             std::max<std::int64_t>(1, std::llround(rig.interval / rig.time_step)),
                         .expected_particles = rig.expected_particles(),
-                        .expected_duration = rig.expected_duration()};
-    programme.check = [setup] { return size_warnings(setup->sizes, setup->mass, setup->density); };
+                        .expected_duration = rig.expected_duration(),
+                        .has_rigid_bodies = !rig.grains.are_spheres()};
+    programme.check = [setup] { return size_warnings(setup->grains, setup->mass, setup->density); };
     programme.build = [setup] { return build(*setup); };
     programme.stages = filling(rig);
     auto const settled = programme.stages.size() - 1;

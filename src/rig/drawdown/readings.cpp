@@ -12,7 +12,7 @@ namespace {
 
 double upper_mass(Look& look)
 {
-    auto const& particles = look.particles();
+    auto const& particles = look.grains();
     double mass = 0;
     for (std::size_t k = 0; k < particles.size(); ++k)
         if (particles.place(k).z > 0)
@@ -38,12 +38,12 @@ ProfileReading surface(std::string name, std::string doc, std::size_t stage, dou
             }};
 }
 
-//! Bulk density of level layers of the bed.
+//! Bulk density of level layers of the bed; grains that are not spheres count as the spheres of their volume.
 ProfileReading::Points bed_density(Look& look, Setup const& setup)
 {
     constexpr int layers = 20;
     double const thickness = setup.bed_height() / layers;
-    auto values = observe::volume_in_layers(look.particles().places(), 0, setup.bed_height(), layers);
+    auto values = observe::volume_in_layers(look.grains().places(), 0, setup.bed_height(), layers);
     std::vector<double> heights;
     for (double& value : values) {
         heights.push_back((static_cast<double>(heights.size()) + 0.5) * thickness);

@@ -20,9 +20,9 @@ void check(Setup const& rig)
     if (rig.lower_width < rig.slot)
         throw InputError(fmt::format("lower_box_width_mm = {:.4g} must be at least slot_width_mm = {:.4g}",
                                      1e3 * rig.lower_width, 1e3 * rig.slot));
-    check_bulk_density(rig.bulk_density, rig.density);
-    check_room("box_depth_mm", rig.depth, rig.sizes.largest());
-    check_room("slot_width_mm", rig.slot, rig.sizes.largest());
+    check_bulk_density(rig.bulk_density, rig.density, rig.grains);
+    check_room("box_depth_mm", rig.depth, rig.grains.widest());
+    check_room("slot_width_mm", rig.slot, rig.grains.widest());
     // Even a flat heap of all that can leave must stay below the gate.
     double const heap = rig.mass / (rig.bulk_density * rig.lower_width * rig.depth);
     if (heap > rig.drop)
@@ -66,7 +66,7 @@ OptionSpecs options()
 
 Setup::Setup(RunInput const& input)
     : seed(input.seed), model(input.model), filling_model(input.model), options(input.experiment),
-      sizes(size_distribution_of(input)), gravity(gravity_downwards(options))
+      grains(grains_of(input)), gravity(gravity_downwards(options))
 {
     OptionValues const& o = options;
     material = o.text("material");
@@ -88,8 +88,8 @@ Setup::Setup(RunInput const& input)
     longest = o.number("longest_discharge_s");
     interval = o.number("series_interval_s");
     wedge_margin = o.number("line_margin");
-    time_step = chosen_time_step(o, model, material, sizes.smallest());
-    skin = skin_of(o, sizes);
+    time_step = chosen_time_step(o, model, material, grains.smallest_ball());
+    skin = skin_of(o, grains);
     double const filling = o.number("filling_friction");
     for (auto& pair : filling_model.pairs) {
         pair.static_friction = std::min(pair.static_friction, filling);
@@ -101,14 +101,16 @@ Setup::Setup(RunInput const& input)
 
 double Setup::expected_particles() const
 {
-    double const d = sizes.quantile(0.5);
+    if (!grains.are_spheres())
+        return mass / density * grains.balls_per_volume();
+    double const d = grains.quantile(0.5);
     return mass / (density * std::numbers::pi / 6 * d * d * d);
 }
 
 double Setup::expected_duration() const
 {
     // Filling takes about a second; a slot passes about rho sqrt(g) D (b - 1.4 d)^1.5 (Beverloo et al. 1961).
-    double const opening = std::max(slot - 1.4 * sizes.quantile(0.5), 0.2 * slot);
+    double const opening = std::max(slot - 1.4 * grains.quantile(0.5), 0.2 * slot);
     double const flow = 1.03 * bulk_density * std::sqrt(gravity) * depth * std::pow(opening, 1.5);
     return 1.5 + options.number("rest_s") + 0.75 * mass / flow;
 }

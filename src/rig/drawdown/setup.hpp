@@ -19,7 +19,7 @@ struct Setup
     std::uint64_t seed;
     contact::Model model, filling_model;
     OptionValues options;
-    shape::SizeDistribution sizes;
+    grain::Grains grains;
     std::string material, wood, glass;
     double mass, density, bulk_density;           // [kg], [kg/m^3]
     double width, depth, slot, drop, lower_width; // [m]

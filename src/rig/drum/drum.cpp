@@ -2,7 +2,6 @@
 
 #include "demens/rig/programme/programme_run.hpp"
 #include "demens/shape/packing.hpp"
-#include "demens/shape/sample_check.hpp"
 #include "src/rig/rest.hpp"
 #include "src/rig/rigs.hpp"
 
@@ -32,7 +31,7 @@ using drum::Setup;
 //! The lateral wall, then the ends.
 std::vector<dem::Wall> walls(Setup const& setup)
 {
-    double const beyond = setup.sizes.largest(); // no sphere meets an edge
+    double const beyond = setup.grains.widest(); // no sphere meets an edge
     Vector3 const axis = {0, 1, 0};
     std::vector<dem::Wall> all = {{.shape = dem::Cylinder{.centre = {},
                                                           .axis = axis,
@@ -70,51 +69,48 @@ double top_of_bed(Look& look, double bottom)
     return top;
 }
 
-//! Diameters of all spheres, the last ones first to fall.
-std::vector<double> sample_diameters(Setup const& setup)
+//! All grains, the last ones first to fall.
+std::vector<grain::Grain> sample_of(Setup const& setup)
 {
     RandomStream stream(derive_seed(setup.seed, 1));
-    return shape::sample_whole(setup.sizes, setup.drum.mass, setup.density, stream);
+    return setup.grains.sample_whole(setup.drum.mass, setup.density, stream);
 }
 
-//! As many of the next spheres as fill a part of the free space so loosely that places are found at random.
-std::vector<double> next_batch(std::vector<double> diameters, double free_volume)
+//! As many of the next grains as fill a part of the free space so loosely that places are found at random.
+std::vector<grain::Grain> next_batch(std::vector<grain::Grain> grains, double free_volume, double looseness)
 {
-    double const fraction = 0.22;
+    double const fraction = 0.22 * looseness;
     double volume = 0;
-    std::vector<double> batch;
-    for (; !diameters.empty(); diameters.pop_back()) {
-        double const d = diameters.back();
+    std::vector<grain::Grain> batch;
+    for (; !grains.empty(); grains.pop_back()) {
+        double const d = grains.back().diameter;
         volume += std::numbers::pi / 6 * d * d * d;
         if (volume > fraction * free_volume)
             break;
-        batch.push_back(d);
+        batch.push_back(grains.back());
     }
     return batch;
 }
 
-//! Drops as many of the next spheres as there is room for above the bed.
+//! Drops as many of the next grains as there is room for above the bed.
 void drop_batch(Bench& bench, Setup const& setup)
 {
-    auto diameters = sample_diameters(setup);
-    diameters.resize(diameters.size() - bench.simulation.counts().particles);
+    auto left = sample_of(setup);
+    left.resize(left.size() - bench.simulation.counts().particles);
     double const radius = setup.drum.radius, half_width = 0.5 * setup.drum.width;
     shape::Region const inside = shape::CylinderRegion{
         .from = {0, -half_width, 0}, .to = {0, half_width, 0}, .radius = radius, .inner_radius = 0};
     Look look(bench);
     double const level = top_of_bed(look, -radius);
     shape::FreeTest const above = [&](Vector3 const& p, double r) { return p.z - r >= level; };
-    auto const batch = next_batch(diameters, shape::free_volume(inside, 0.5 * setup.sizes.largest(), above));
+    auto const batch = next_batch(left, shape::free_volume(inside, 0.5 * setup.grains.widest(), above),
+                                  setup.grains.looseness());
     if (batch.empty())
         throw RunFailure(RunStatus::error,
-                         fmt::format("{} of the spheres found no room above the bed", diameters.size()));
-    auto const places = shape::fill_region(batch, inside, {}, above, bench.progress.random);
-    dem::BodyBatch bodies;
-    for (std::size_t k = 0; k < places.size(); ++k)
-        bodies.push_back({.position = places[k],
-                          .radius = 0.5 * batch[k],
-                          .material = material_id(setup.model, setup.material)});
-    bench.simulation.add(bodies);
+                         fmt::format("{} of the grains found no room above the bed", left.size()));
+    auto const places =
+        shape::place_in_region(setup.grains.outlines(batch), inside, {}, above, bench.progress.random);
+    bench.simulation.add(bodies_of(setup.grains, batch, places, material_id(setup.model, setup.material)));
 }
 
 void turn(Bench& bench, Setup const& setup)
@@ -137,11 +133,11 @@ std::vector<Stage> stages(Setup const& setup, drum::Sampling const& sampling)
                .longest = 100 * setup.fall_time(),
                .landmark = "settled"};
     fill.enter = [&setup](Bench& bench) { drop_batch(bench, setup); };
-    fill.until = [&setup, d = setup.sizes.quantile(0.5)](Look& look) {
+    fill.until = [&setup, d = setup.grains.quantile(0.5)](Look& look) {
         return look.simulation().kinetic_energy() < 1e-3 * setup.drum.gravity * d * setup.drum.mass;
     };
     fill.repeats = [&setup](Look& look) {
-        return look.simulation().counts().particles < sample_diameters(setup).size();
+        return look.simulation().counts().particles < sample_of(setup).size();
     };
     double const turn_time = setup.drum.seconds_per_turn();
     Stage discard{.name = "discard", .shortest = setup.discard_turns * turn_time};
@@ -166,8 +162,9 @@ Programme describe(RunInput const& input)
                         .steps_per_look = sampling.steps_per_look,
                         .expected_particles = setup->expected_particles(),
                         .expected_duration = setup->expected_duration(),
-                        .seed = derive_seed(setup->seed, 2)};
-    programme.check = [setup] { return size_warnings(setup->sizes, setup->drum.mass, setup->density); };
+                        .seed = derive_seed(setup->seed, 2),
+                        .has_rigid_bodies = !setup->grains.are_spheres()};
+    programme.check = [setup] { return size_warnings(setup->grains, setup->drum.mass, setup->density); };
     programme.build = [setup] { return build(*setup); };
     programme.stages = stages(*setup, sampling);
     auto const last = programme.stages.size() - 1;

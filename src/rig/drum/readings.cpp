@@ -26,7 +26,7 @@ Picture const& picture(Look& look, Setup const& setup)
     return look.once<Picture>([&](Look& now) {
         observe::EndView view(setup.drum.radius, setup.pixels);
         view.draw(now.particles().places());
-        auto edge = view.surface(setup.sizes.quantile(0.5));
+        auto edge = view.surface(setup.grains.quantile(0.5));
         auto const line = observe::fit_principal_line(edge);
         return Picture{std::move(view), std::move(edge), line};
     });
@@ -141,7 +141,7 @@ std::vector<Reading> readings(Setup const& setup)
 {
     return {{"energy", "mJ/kg", "specific potential energy above the drum's lowest point",
              [&setup](Look& look) {
-                 return 1e3 * observe::specific_potential_energy(look.particles(), setup.gravity(),
+                 return 1e3 * observe::specific_potential_energy(look.grains(), setup.gravity(),
                                                                  setup.lowest_point());
              }},
             {"area", "%", "part of the end view that particles cover",

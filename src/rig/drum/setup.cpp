@@ -101,7 +101,7 @@ DrumState state_of(OptionValues const& o, double bulk_density, double mean_mass)
 void check_fill(Setup const& setup)
 {
     double const volume = setup.drum.volume();
-    check_bulk_density(setup.bulk_density, setup.density);
+    check_bulk_density(setup.bulk_density, setup.density, setup.grains);
     double const bulk = setup.bulk_density > 0 ? setup.bulk_density : pours_to * setup.density;
     if (setup.drum.mass > bulk * volume)
         throw InputError(fmt::format(
@@ -124,7 +124,7 @@ void check(Setup const& setup)
             "be below 1, the speed below {:.4g} rpm",
             setup.drum.froude(), setup.drum.angular_velocity * 30 / pi,
             30 / pi * std::sqrt(setup.drum.gravity / setup.drum.radius)));
-    double const largest = setup.sizes.largest();
+    double const largest = setup.grains.widest();
     check_room("width_mm", setup.drum.width, largest);
     check_room("radius_mm", setup.drum.radius, largest);
     if (setup.ends == Ends::periodic && setup.tilt != 0)
@@ -195,7 +195,7 @@ OptionSpecs options()
 }
 
 Setup::Setup(RunInput const& input)
-    : seed(input.seed), model(input.model), options(input.experiment), sizes(size_distribution_of(input))
+    : seed(input.seed), model(input.model), options(input.experiment), grains(grains_of(input))
 {
     OptionValues const& o = options;
     material = o.text("material");
@@ -206,7 +206,7 @@ Setup::Setup(RunInput const& input)
     ends = read_word(end_words, o.text("ends"));
     density = material_named(model, material).density;
     bulk_density = bulk_density_of(o, density);
-    drum = state_of(o, bulk_density, density / sizes.spheres_per_volume());
+    drum = state_of(o, bulk_density, density / grains.per_volume());
     tilt = o.number("tilt_deg") * pi / 180;
     end_speed = o.number("end_speed_factor");
     double const friction = ends == Ends::frictionless ? 0.0 : o.number("end_friction_factor");
@@ -220,8 +220,8 @@ Setup::Setup(RunInput const& input)
     prominence = o.number("avalanche_prominence") * gravity_radius();
     pixels = static_cast<int>(o.integer("image_pixels"));
     keeps_picture = o.flag("keep_picture");
-    time_step = chosen_time_step(o, model, material, sizes.smallest());
-    skin = skin_of(o, sizes);
+    time_step = chosen_time_step(o, model, material, grains.smallest_ball());
+    skin = skin_of(o, grains);
     check(*this);
 }
 
@@ -248,7 +248,7 @@ Vector3 Setup::lowest_point() const
 
 double Setup::expected_particles() const
 {
-    return drum.mass / density * sizes.spheres_per_volume();
+    return drum.mass / density * grains.balls_per_volume();
 }
 
 double Setup::expected_duration() const

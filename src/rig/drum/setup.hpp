@@ -33,7 +33,7 @@ struct Setup
     std::uint64_t seed;
     contact::Model model;
     OptionValues options;
-    shape::SizeDistribution sizes;
+    grain::Grains grains;
     std::string material, wall_material, end_material;
     Ends ends;
     DrumState drum;

@@ -3,7 +3,6 @@
 
 #include "demens/rig/programme/programme_run.hpp"
 #include "demens/shape/packing.hpp"
-#include "demens/shape/sample_check.hpp"
 #include "src/rig/rest.hpp"
 #include "src/rig/rigs.hpp"
 
@@ -31,7 +30,7 @@ std::vector<dem::Wall> walls(Setup const& rig)
     auto const of_vessel = material_id(rig.model, rig.wall_material),
                of_plate = material_id(rig.model, rig.plate_material);
     double const reach = rig.furthest(), bottom = rig.bottom_of_fill(),
-                 top = rig.top_of_fill() + rig.sizes.largest();
+                 top = rig.top_of_fill() + rig.grains.widest();
     Vector3 const up = {0, 0, 1};
     std::vector<dem::Wall> all;
     auto const add = [&](dem::WallShape const& shape, dem::MaterialId material) {
@@ -57,22 +56,19 @@ std::vector<dem::Wall> walls(Setup const& rig)
 Apparatus build(Setup const& rig)
 {
     RandomStream size_stream(derive_seed(rig.seed, 1)), place_stream(derive_seed(rig.seed, 2));
-    auto const diameters = shape::sample_whole(rig.sizes, rig.mass, rig.density, size_stream);
+    auto const sample = rig.grains.sample_whole(rig.mass, rig.density, size_stream);
     shape::Region const inside = shape::CylinderRegion{.from = {0, 0, rig.bottom_of_fill()},
                                                        .to = {0, 0, rig.top_of_fill()},
                                                        .radius = rig.radius,
                                                        .inner_radius = 0};
-    auto const places = shape::fill_region(
-        diameters, inside, {}, [](Vector3 const&, double) { return true; }, place_stream);
+    auto const places = shape::place_in_region(
+        rig.grains.outlines(sample), inside, {}, [](Vector3 const&, double) { return true; }, place_stream);
     Apparatus apparatus{.model = rig.model, .options = simulation_options(rig.options, rig.time_step)};
     double const reach = rig.furthest();
     apparatus.options.skin = rig.skin;
     apparatus.options.domain_lower = {-reach, -reach, rig.floor() - 0.1};
     apparatus.options.domain_upper = {reach, reach, rig.top_of_fill() + 1};
-    for (std::size_t k = 0; k < places.size(); ++k)
-        apparatus.bodies.push_back({.position = places[k],
-                                    .radius = 0.5 * diameters[k],
-                                    .material = material_id(rig.model, rig.material)});
+    apparatus.bodies = bodies_of(rig.grains, sample, places, material_id(rig.model, rig.material));
     apparatus.walls = walls(rig);
     return apparatus;
 }
@@ -80,7 +76,7 @@ Apparatus build(Setup const& rig)
 //! Mass that is still in or above the funnel, over all of it.
 double share_in_funnel(Look& look, Setup const& rig)
 {
-    auto const& particles = look.particles();
+    auto const& particles = look.grains();
     double mass = 0;
     for (std::size_t k = 0; k < particles.size(); ++k)
         if (particles.place(k).z > rig.outlet_height)
@@ -94,7 +90,7 @@ bool heap_lies(Look& look, Setup const& rig)
         return false;
     if (rig.feed == Feed::lifted_cylinder) // it has left the heap
         return dem::centre(look.simulation().wall(dem::WallId{vessel}).shape).z -
-                   0.5 * (rig.top_of_fill() + rig.sizes.largest()) >
+                   0.5 * (rig.top_of_fill() + rig.grains.widest()) >
                look.progress().series.column("height_mm").back() * 1e-3;
     double const left = share_in_funnel(look, rig);
     if (left > 0.02)
@@ -140,8 +136,9 @@ Programme describe(RunInput const& input)
                         .steps_per_look =
                             std::max<std::int64_t>(1, std::llround(setup->interval / setup->time_step)),
                         .expected_particles = setup->expected_particles(),
-                        .expected_duration = setup->expected_duration()};
-    programme.check = [setup] { return size_warnings(setup->sizes, setup->mass, setup->density); };
+                        .expected_duration = setup->expected_duration(),
+                        .has_rigid_bodies = !setup->grains.are_spheres()};
+    programme.check = [setup] { return size_warnings(setup->grains, setup->mass, setup->density); };
     programme.build = [setup] { return build(*setup); };
     programme.stages = stages(*setup);
     auto const last = programme.stages.size() - 1;

@@ -30,7 +30,7 @@ Heap const& heap(Look& look, Setup const& setup)
         for (auto const& p : now.particles().places())
             if (is_on_plate(p, setup))
                 on_plate.push_back(p);
-        double const width = setup.sizes.quantile(0.5);
+        double const width = setup.grains.quantile(0.5);
         Heap heap{observe::surface_map(on_plate, width), {}, none, none};
         heap.cone = observe::fit_cone(heap.map, setup.azimuths, setup.toe, setup.tip);
         // The outline between the heights that the cone is fitted between, on either side of its top.
@@ -108,7 +108,7 @@ std::vector<Measure> const& measures()
 
 double mass_on_plate(Look& look, Setup const& setup)
 {
-    auto const& particles = look.particles();
+    auto const& particles = look.grains();
     double mass = 0;
     for (std::size_t k = 0; k < particles.size(); ++k)
         if (is_on_plate(particles.place(k), setup))
@@ -118,14 +118,14 @@ double mass_on_plate(Look& look, Setup const& setup)
 
 bool rests(Look& look, Setup const& setup)
 {
-    auto const& particles = look.particles();
+    auto const& particles = look.grains();
     double energy = 0, mass = 0;
     for (std::size_t k = 0; k < particles.size(); ++k)
         if (is_on_plate(particles.place(k), setup)) {
             energy += 0.5 * particles.mass(k) * norm_squared(particles.velocity(k));
             mass += particles.mass(k);
         }
-    return energy <= 1e-3 * mass * setup.gravity * setup.sizes.quantile(0.5);
+    return energy <= 1e-3 * mass * setup.gravity * setup.grains.quantile(0.5);
 }
 
 std::vector<ResponseInfo> response_infos()

@@ -36,7 +36,7 @@ void check_funnel(Setup const& setup)
 
 void check(Setup const& setup)
 {
-    double const largest = setup.sizes.largest();
+    double const largest = setup.grains.widest();
     check_room("radius_mm", 2 * setup.radius, 2 * largest);
     if (setup.plate_radius > 0 && setup.plate_radius < setup.radius)
         throw InputError(fmt::format(
@@ -83,7 +83,7 @@ OptionSpecs options()
 }
 
 Setup::Setup(RunInput const& input)
-    : seed(input.seed), model(input.model), options(input.experiment), sizes(size_distribution_of(input)),
+    : seed(input.seed), model(input.model), options(input.experiment), grains(grains_of(input)),
       gravity(gravity_downwards(options))
 {
     OptionValues const& o = options;
@@ -107,8 +107,8 @@ Setup::Setup(RunInput const& input)
     azimuths = static_cast<int>(o.integer("azimuths"));
     longest = o.number("longest_s");
     interval = o.number("series_interval_s");
-    time_step = chosen_time_step(o, model, material, sizes.smallest());
-    skin = skin_of(o, sizes);
+    time_step = chosen_time_step(o, model, material, grains.smallest_ball());
+    skin = skin_of(o, grains);
     check(*this);
 }
 
@@ -124,25 +124,26 @@ double Setup::bottom_of_fill() const
 
 double Setup::top_of_fill() const
 {
-    double const free = std::max(radius - 0.5 * sizes.largest(), 0.25 * radius); // of the spheres' centres
-    return bottom_of_fill() + sizes.largest() + solid_volume() / (falls_in_at * pi * free * free);
+    double const free = std::max(radius - 0.5 * grains.widest(), 0.25 * radius); // of the spheres' centres
+    return bottom_of_fill() + grains.widest() +
+           solid_volume() / (falls_in_at * grains.looseness() * pi * free * free);
 }
 
 double Setup::floor() const
 {
-    return -10 * sizes.largest() - lip;
+    return -10 * grains.widest() - lip;
 }
 
 double Setup::furthest() const
 {
     // A layer of spheres side by side, and as far again.
-    double const layer = std::sqrt(1.5 * solid_volume() / (0.6 * pi * sizes.quantile(0.5)));
+    double const layer = std::sqrt(1.5 * solid_volume() / (0.6 * pi * grains.quantile(0.5)));
     return 2 * (std::max(plate_radius, radius) + layer) + 1;
 }
 
 double Setup::expected_particles() const
 {
-    return mass / density * sizes.spheres_per_volume();
+    return mass / density * grains.balls_per_volume();
 }
 
 double Setup::expected_duration() const
@@ -152,7 +153,7 @@ double Setup::expected_duration() const
     if (feed == Feed::lifted_cylinder)
         return before + solid_volume() / (pours_to * pi * radius * radius) / lift_speed;
     // An outlet passes about 0.58 rho sqrt(g) (d_o - 1.4 d)^2.5 (Beverloo et al. 1961).
-    double const opening = std::max(2 * outlet_radius - 1.4 * sizes.quantile(0.5), 0.2 * outlet_radius);
+    double const opening = std::max(2 * outlet_radius - 1.4 * grains.quantile(0.5), 0.2 * outlet_radius);
     return before + mass / (0.58 * pours_to * density * std::sqrt(gravity) * std::pow(opening, 2.5));
 }
 

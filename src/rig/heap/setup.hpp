@@ -32,7 +32,7 @@ struct Setup
     std::uint64_t seed;
     contact::Model model;
     OptionValues options;
-    shape::SizeDistribution sizes;
+    grain::Grains grains;
     std::string material, wall_material, plate_material;
     Feed feed;
     double mass, density;                            // [kg], [kg/m^3]

@@ -4,14 +4,16 @@
 
 namespace demens::rig {
 
-std::string needs_cpu(bool with_team)
+std::string needs_cpu(bool with_team, bool with_rigid_bodies)
 {
+    if (with_rigid_bodies)
+        return "its grains are not spheres ([shape.NAME])";
     return with_team ? "several ranks share a run (run.ranks_per_group)" : "";
 }
 
-dem::EngineKind chosen_engine(EngineChoice choice, bool with_team)
+dem::EngineKind chosen_engine(EngineChoice choice, bool with_team, bool with_rigid_bodies)
 {
-    auto const obstacle = needs_cpu(with_team);
+    auto const obstacle = needs_cpu(with_team, with_rigid_bodies);
     switch (choice) {
     case EngineChoice::cpu:
         return dem::EngineKind::cpu;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace demens::rig {
 namespace {
 
@@ -46,10 +48,35 @@ dem::StateView const& Look::particles()
     return *particles_;
 }
 
+dem::StateView const& Look::grains()
+{
+    if (!grains_)
+        grains_ = bench_.simulation.read_grains(dem::Fields::all);
+    return *grains_;
+}
+
+namespace {
+
+//! \throws InputError where no engine can do it on so many ranks
+void check_engine(Programme const& programme, int ranks)
+{
+    if (!programme.has_rigid_bodies)
+        return;
+    chosen_engine(programme.engine, ranks > 1, true);
+    if (ranks > 1)
+        throw InputError(
+            fmt::format("grains that are not spheres ([shape.NAME]) are computed by one rank a run, and "
+                        "this one has {}; give run.ranks_per_group = 1",
+                        ranks));
+}
+
+} // namespace
+
 Programme programme_of(RigInfo const& rig, RunInput const& input, int ranks)
 {
     auto programme = rig.describe(input);
     programme.engine = input.engine;
+    check_engine(programme, ranks);
     check_memory(programme.expected_particles, ranks, memory_limit());
     return programme;
 }
@@ -63,6 +90,7 @@ RigInfo described(RigInfo rig)
     };
     auto const checked = [describe](RunInput const& input) {
         auto const programme = describe(input);
+        check_engine(programme, 1);
         check_memory(programme.expected_particles, 1, memory_limit());
         return programme.check ? programme.check() : std::vector<std::string>{};
     };

@@ -104,7 +104,8 @@ ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team, RunState const&
     check_fits(programme_, state.progress);
     Apparatus apparatus = programme_.build();
     apparatus.options.team = team_;
-    apparatus.options.engine = chosen_engine(programme_.engine, team_ != nullptr);
+    apparatus.options.engine =
+        chosen_engine(programme_.engine, team_ != nullptr, programme_.has_rigid_bodies);
     apparatus.options.batch = apparatus.options.engine == dem::EngineKind::cpu ? nullptr : batch_;
     auto const stage = state.progress.model_of;
     auto model = stage ? *programme_.stages[*stage].model : apparatus.model;
@@ -188,7 +189,8 @@ void ProgrammeRun::build()
 {
     Apparatus apparatus = programme_.build();
     apparatus.options.team = team_;
-    apparatus.options.engine = chosen_engine(programme_.engine, team_ != nullptr);
+    apparatus.options.engine =
+        chosen_engine(programme_.engine, team_ != nullptr, programme_.has_rigid_bodies);
     apparatus.options.batch = apparatus.options.engine == dem::EngineKind::cpu ? nullptr : batch_;
     bench_.emplace(Bench{dem::Simulation(apparatus.model, apparatus.options)});
     if (contact::drifts(apparatus.model))

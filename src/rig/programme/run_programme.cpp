@@ -28,6 +28,18 @@ std::int64_t next_portion(std::int64_t steps, double took)
     return std::max<std::int64_t>(1, std::llround(static_cast<double>(steps) * factor));
 }
 
+//! Number of the grain of each element, by its id: those of a grain follow that of its first element.
+std::vector<std::int64_t> grain_numbers(dem::StateView const& grains, std::size_t elements)
+{
+    std::vector<std::int64_t> numbers(elements, 0);
+    for (std::size_t k = 0; k < grains.size(); ++k)
+        numbers[grains.id(k).value] = 1;
+    std::int64_t number = -1;
+    for (auto& begins : numbers)
+        begins = number += begins;
+    return numbers;
+}
+
 } // namespace
 
 RunResult run_programme(Programme programme, RunHooks const& hooks)
@@ -78,6 +90,8 @@ Snapshot take_snapshot(dem::Simulation& simulation, std::string name)
         snapshot.vx[id] = v.x, snapshot.vy[id] = v.y, snapshot.vz[id] = v.z;
         snapshot.wx[id] = w.x, snapshot.wy[id] = w.y, snapshot.wz[id] = w.z;
     }
+    if (simulation.counts().particles < n)
+        snapshot.grain = grain_numbers(simulation.read_grains(dem::Fields::places), n);
     for (dem::Wall const& wall : simulation.walls())
         if (wall.active)
             observe::add_outline(snapshot, wall);

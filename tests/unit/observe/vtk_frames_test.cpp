@@ -56,6 +56,20 @@ int attribute(std::string const& file, std::string const& name)
     return std::regex_search(xml, match, std::regex(name + "=\"(\\d+)\"")) ? std::stoi(match[1]) : -1;
 }
 
+Snapshot two_particles();
+
+TEST_F(VtkFramesTest, SayWhichSpheresAreOneGrain)
+{
+    auto snapshot = two_particles();
+    VtkFrames frames(folder);
+    frames.write(snapshot);
+    EXPECT_TRUE(array_of<std::int64_t>(content("particles_000000.vtp"), "grain").empty());
+    snapshot.grain = {4, 4};
+    frames.write(snapshot);
+    EXPECT_EQ(array_of<std::int64_t>(content("particles_000001.vtp"), "grain"),
+              (std::vector<std::int64_t>{4, 4}));
+}
+
 Snapshot two_particles()
 {
     Snapshot snapshot;

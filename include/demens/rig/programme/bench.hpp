@@ -76,8 +76,11 @@ class Look
     Bench& bench() { return bench_; }
     double time() const { return bench_.simulation.time(); }
 
-    //! The particles, read when somebody needs them.
+    //! The particles, read when somebody needs them: spheres, and those that other grains are made of. For
+    //! outlines.
     dem::StateView const& particles();
+    //! Whole grains; for masses and motions.
+    dem::StateView const& grains();
     //! The kept result of `make(*this)`, made when it is first asked for; one of each type.
     template <class Made, class Make>
     Made const& once(Make const& make)
@@ -90,7 +93,7 @@ class Look
 
   private:
     Bench& bench_;
-    std::optional<dem::StateView> particles_;
+    std::optional<dem::StateView> particles_, grains_;
     std::map<std::type_index, std::any> made_;
 };
 

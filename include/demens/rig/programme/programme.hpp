@@ -89,6 +89,8 @@ struct Programme
     double expected_duration = 0; //!< [s]
     std::uint64_t seed = 0;       //!< of the random numbers that stages draw
     EngineChoice engine = EngineChoice::cpu;
+    bool has_rigid_bodies =
+        false;                //!< grains of several spheres: the CPU's engine alone moves them, on one rank
     bool reads_loads = false; //!< whether forces must be known at the very first look
     std::vector<Stage> stages = {};
     std::vector<Reading> readings = {};

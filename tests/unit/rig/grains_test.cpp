@@ -1,0 +1,187 @@
+// Rigs whose grains are not spheres: small runs of each, what they measure, and what is refused before a run.
+#include "demens/base/error.hpp"
+#include "demens/rig/programme/programme_run.hpp"
+#include "tests/support/fault_of.hpp"
+#include "tests/support/small_drawdown.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace {
+
+using namespace demens;
+using demens::testing::fault_of;
+
+constexpr double pi = std::numbers::pi;
+
+//! Spheres in a row whose neighbours overlap by a fifth of their diameter.
+grain::GrainShape rod(int balls)
+{
+    grain::Clump clump;
+    for (int k = 0; k < balls; ++k)
+        clump.push_back({{1.6 * k, 0, 0}, 1});
+    return grain::grain_shape("rod", clump, grain::SizeMeasure::equivalent);
+}
+
+//! Some 250 grains of 2 mm, or what `mass` makes, of rods and spheres.
+rig::RunInput input_of(std::string const& rig, grain::ShapeMixture const& mixture)
+{
+    rig::RunInput input;
+    input.model.materials = {{"grain", 2500, 1e5, 0.3}, {"steel", 7850, 1e5, 0.3}};
+    for (auto const* other : {"grain", "steel"}) {
+        contact::PairProperties pair{
+            .first = "grain", .second = other, .rolling = contact::RollingLaw::epsd2};
+        pair.rolling_friction = 0.2;
+        pair.restitution = 0.3;
+        pair.static_friction = pair.kinetic_friction = 0.5;
+        input.model.pairs.push_back(pair);
+    }
+    input.size_distributions.emplace("narrow", shape::SizeDistribution({1.9e-3, 2.1e-3}, {0, 1}));
+    input.shapes_of_sizes.emplace("narrow", mixture);
+    input.experiment = defaults_of(rig::find_rig(rig)->options);
+    input.experiment.set("material", std::string("grain"));
+    input.experiment.set("wall_material", std::string("steel"));
+    input.experiment.set("size_distribution", std::string("narrow"));
+    input.seed = 1;
+    return input;
+}
+
+grain::ShapeMixture only(grain::GrainShape shape)
+{
+    return {{std::move(shape)}, {1}};
+}
+
+rig::RunInput heap_of(grain::ShapeMixture const& mixture, double mass = 1.5e-3)
+{
+    auto input = input_of("heap", mixture);
+    input.experiment.set("mass_kg", mass);
+    input.experiment.set("radius_mm", 10.0);
+    input.experiment.set("lift_speed_m_s", 0.05);
+    return input;
+}
+
+rig::RunInput drum_of(grain::ShapeMixture const& mixture)
+{
+    auto input = input_of("drum", mixture);
+    auto& options = input.experiment;
+    options.set("radius_mm", 15.0);
+    options.set("width_mm", 8.0);
+    options.set("ends", std::string("periodic"));
+    options.set("froude", 1e-2);
+    options.set("fill_fraction", 0.3);
+    options.set("solid_fraction", 0.58);
+    options.set("discard_turns", 0.1);
+    options.set("measure_turns", 0.2);
+    options.set("samples_per_turn", std::int64_t{200});
+    return input;
+}
+
+rig::RunResult run(std::string const& name, rig::RunInput const& input)
+{
+    auto const& rig = *rig::find_rig(name);
+    rig.check(input);
+    auto result = rig.run(input, {});
+    EXPECT_EQ(result.status, rig::RunStatus::finished) << name << ": " << result.reason;
+    return result;
+}
+
+double response(std::string const& rig, rig::RunResult const& result, std::string const& name)
+{
+    auto const& infos = rig::find_rig(rig)->responses;
+    for (std::size_t k = 0; k < infos.size(); ++k)
+        if (infos[k].name == name)
+            return result.responses[k];
+    ADD_FAILURE() << name;
+    return 0;
+}
+
+TEST(GrainsInRigs, HeapHasTheMassOfItsGrainsAndTheirOutline)
+{
+    double const mass = 1.5e-3, one = 2500 * pi / 6 * 8e-9; // of a grain of 2 mm
+    grain::ShapeMixture const mixed{{rod(3), {"sphere", nullptr, 1}}, {0.7, 0.3}};
+    auto const result = run("heap", heap_of(mixed, mass));
+    EXPECT_NEAR(static_cast<double>(result.particles), mass / one, 0.03 * mass / one);
+    EXPECT_NEAR(response("heap", result, "mass_on_plate_kg"), mass, 0.02 * mass);
+    auto const& heap = result.snapshots.back();
+    auto const number = static_cast<double>(result.particles);
+    // A grain of rod has three spheres.
+    EXPECT_NEAR(static_cast<double>(heap.x.size()), number * (0.7 * 3 + 0.3), 0.03 * number);
+    double top = 0;
+    for (std::size_t k = 0; k < heap.x.size(); ++k)
+        top = std::max(top, heap.z[k] + heap.radius[k]);
+    EXPECT_NEAR(response("heap", result, "height_mm"), 1e3 * top, 1e-6);
+    ASSERT_EQ(heap.grain.size(), heap.x.size());
+    EXPECT_EQ(heap.grain.back() + 1, result.particles);
+}
+
+TEST(GrainsInRigs, ClumpOfOneSphereGivesTheSameBitsAsTheSphere)
+{
+    auto spheres = heap_of({});
+    spheres.shapes_of_sizes.clear();
+    auto const a = run("heap", spheres), b = run("heap", heap_of(only(rod(1))));
+    EXPECT_EQ(a.responses, b.responses);
+    EXPECT_EQ(a.series.columns, b.series.columns);
+}
+
+TEST(GrainsInRigs, DrumTurnsThemAndGoesOnFromARecordWithTheSameBits)
+{
+    auto const input = drum_of(only(rod(2)));
+    auto const whole = run("drum", input);
+    EXPECT_GT(response("drum", whole, "angle_of_repose_deg"), 10);
+    EXPECT_LT(response("drum", whole, "angle_of_repose_deg"), 70);
+
+    auto const& info = *rig::find_rig("drum");
+    rig::ProgrammeRun first(info.describe(input), nullptr);
+    first.advance(whole.steps / 2);
+    ASSERT_FALSE(first.is_over());
+    auto const bytes = first.save().record().to_bytes();
+    rig::ProgrammeRun second(info.describe(input), nullptr,
+                             rig::RunState::from_record(dem::StateRecord::from_bytes(bytes)));
+    while (!second.is_over())
+        second.advance(1000000);
+    EXPECT_EQ(second.result().responses, whole.responses);
+}
+
+TEST(GrainsInRigs, DrawDownTestEmptiesThroughItsSlot)
+{
+    auto input = demens::testing::small_drawdown(1);
+    input.shapes_of_sizes.emplace("gravel", only(rod(2)));
+    auto const result = run("drawdown", input);
+    double const left = response("drawdown", result, "final_mass_kg");
+    EXPECT_GT(left, 0.05 * 2.6);
+    EXPECT_LT(left, 0.75 * 2.6);
+    EXPECT_NEAR(result.series.column("upper_mass").front(), 2.6, 0.03 * 2.6);
+    EXPECT_EQ(result.snapshots.back().x.size(), 2 * static_cast<std::size_t>(result.particles));
+}
+
+TEST(GrainsInRigs, EnginesAndRanksThatCannotAreRefusedBeforeTheRun)
+{
+    auto const& heap = *rig::find_rig("heap");
+    auto input = heap_of(only(rod(3)));
+    EXPECT_NE(fault_of([&] { rig::programme_of(heap, input, 2); }).find("run.ranks_per_group = 1"),
+              std::string::npos);
+    for (auto const engine : {rig::EngineChoice::cuda, rig::EngineChoice::cuda_on_host}) {
+        input.engine = engine;
+        EXPECT_NE(fault_of([&] { heap.check(input); }).find("[shape.NAME]"), std::string::npos);
+    }
+    input.engine = rig::EngineChoice::automatic;
+    EXPECT_EQ(fault_of([&] { heap.check(input); }), "");
+    EXPECT_EQ(rig::chosen_engine(rig::EngineChoice::automatic, false, true), dem::EngineKind::cpu);
+}
+
+TEST(GrainsInRigs, BulkDensityBeyondThatOfSpheresIsPossible)
+{
+    auto input = demens::testing::small_drawdown(1);
+    input.experiment.set("bulk_density", 0.8 * 2600);
+    auto const& drawdown = *rig::find_rig("drawdown");
+    EXPECT_NE(fault_of([&] { drawdown.check(input); }).find("cannot be reached"), std::string::npos);
+    input.shapes_of_sizes.emplace("gravel", only(rod(3)));
+    EXPECT_EQ(fault_of([&] { drawdown.check(input); }), "");
+    input.experiment.set("bulk_density", 2601.0);
+    EXPECT_NE(fault_of([&] { drawdown.check(input); }).find("cannot be reached"), std::string::npos);
+}
+
+} // namespace
