@@ -6,10 +6,12 @@
 #include "demens/base/error.hpp"
 #include "ensemble/mpi/agreement.hpp"
 #include "ensemble/session.hpp"
+#include "gap/campaign/campaign_evidence.hpp"
 #include "gap/campaign/diagnose.hpp"
 #include "gap/campaign/plan_report.hpp"
 #include "gap/campaign/report.hpp"
 #include "gap/catalogue/catalogue.hpp"
+#include "gap/statistics/form_floor.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -91,6 +93,38 @@ int plan_ahead(std::string const& toml, std::string const& output, bool as_json)
     return success;
 }
 
+int make_bank(std::string const& toml, std::string const& output, int points_per_effect)
+{
+    fs::path const file = output.empty() ? fs::path(toml).replace_extension(".h5") : fs::path(output);
+    ensemble::on_root(MPI_COMM_WORLD, [&] { make_or_accept(toml, file); });
+    ensemble::Session session(MPI_COMM_WORLD, file);
+    bool const is_root = ensemble::rank_of(MPI_COMM_WORLD) == 0;
+    if (gap::fill_bank(session, points_per_effect) == ensemble::WaveEnd::drained) {
+        if (is_root)
+            fmt::print("stopped as asked; nothing is lost, go on with the same command\n");
+        return drained;
+    }
+    if (is_root)
+        fmt::print("{0}: {1} runs; a campaign of the same rigs takes them over with [run] bank = \"{0}\"\n",
+                   file.string(), session.campaign().runs_planned());
+    return success;
+}
+
+int show_floor(std::vector<std::string> const& files)
+{
+    std::vector<gap::Evidence> cases;
+    for (auto const& file : files)
+        try {
+            cases.push_back(
+                gap::evidence_of(ensemble::read_campaign_file(file), gap::Centre::estimate).evidence);
+        } catch (InputError const& error) {
+            throw InputError(fmt::format("{}: {}", file, error.what()));
+        }
+    fmt::print("form_floor = {:.4f} # of a response, by {} campaigns in which nothing is missing\n",
+               gap::estimate_form_floor(std::move(cases)), files.size());
+    return success;
+}
+
 } // namespace
 
 void add_effects(CLI::App& program, Action& action)
@@ -107,7 +141,9 @@ void add_gap(CLI::App& program, Action& action)
     struct Options
     {
         std::string file, toml, output;
+        std::vector<std::string> files;
         bool json = false;
+        int points_per_effect = 8;
     };
     auto options = std::make_shared<Options>();
     auto* command = program.add_subcommand(
@@ -127,6 +163,26 @@ void add_gap(CLI::App& program, Action& action)
             return on_all_ranks([&] { return plan_ahead(options->toml, options->output, options->json); });
         };
     });
+    auto* bank = command->add_subcommand(
+        "bank", "runs of the base model and of every effect all over the factors, for all campaigns of these "
+                "rigs; needs no measured value; under mpirun on all ranks");
+    bank->add_option("FILE.toml", options->toml,
+                     "campaign as its author writes it; [design] says how many "
+                     "points of the base model")
+        ->required();
+    bank->add_option("-o,--output", options->output, "campaign file; default FILE.h5");
+    bank->add_option("--points-per-effect", options->points_per_effect, "on each experiment that it changes")
+        ->check(CLI::Range(1, 10000));
+    bank->callback([options, &action] {
+        action = [options] {
+            return on_all_ranks(
+                [&] { return make_bank(options->toml, options->output, options->points_per_effect); });
+        };
+    });
+    auto* floor = command->add_subcommand(
+        "floor", "form floor under which campaigns in which nothing is missing are most probable");
+    floor->add_option("FILE.h5", options->files, "calibrated campaigns with [gap]")->required();
+    floor->callback([options, &action] { action = [options] { return show_floor(options->files); }; });
     add_rehearse(*command, action);
     command->callback([options, command, &action] {
         if (!command->get_subcommands().empty())

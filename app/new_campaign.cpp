@@ -3,6 +3,7 @@
 #include "app/command.hpp"
 #include "demens/base/error.hpp"
 #include "ensemble/file/parts.hpp"
+#include "ensemble/reuse/taken_waves.hpp"
 #include "ensemble/run/wave_runner.hpp"
 #include "ensemble/session.hpp"
 #include "ensemble/storage/lock.hpp"
@@ -32,6 +33,7 @@ struct Checked
 {
     CampaignInput input;
     std::string plan;
+    std::vector<ensemble::Wave> taken = {}; //!< of its bank
 };
 
 //! What is to be told of the diagnosis. \throws InputError
@@ -44,11 +46,21 @@ std::vector<std::string> gap_lines(fs::path const& toml, CampaignInput const& in
     }
 }
 
+//! What holds of the bank, which stands where the TOML file says. \throws InputError
+ensemble::Taken take_over(fs::path const& toml, CampaignInput const& input)
+{
+    try {
+        return ensemble::taken_from_bank(input, toml.parent_path() / input.run.bank);
+    } catch (InputError const& error) {
+        throw InputError(fmt::format("{}: {}", toml.string(), error.what()));
+    }
+}
+
 //! Reads a TOML file, plans its design and asks for the warnings: whatever is wrong is found before a word is
 //! printed.
 Checked read_checked(fs::path const& toml)
 {
-    Checked checked{CampaignInput::from_file(toml), {}};
+    Checked checked{CampaignInput::from_file(toml), {}, {}};
     auto const& input = checked.input;
     tao_calib::Design design;
     try {
@@ -78,12 +90,23 @@ Checked read_checked(fs::path const& toml)
     if (input.gap)
         for (auto const& line : gap_lines(toml, input))
             fmt::format_to(to, "  {}\n", line);
+    if (!input.run.bank.empty()) {
+        auto [waves, lines] = take_over(toml, input);
+        checked.taken = std::move(waves);
+        for (auto const& line : lines)
+            fmt::format_to(to, "  {}\n", line);
+    }
     return checked;
 }
 
-//! A campaign file that holds the plan of its first wave.
-void create(fs::path const& file, CampaignInput const& input)
+//! A campaign file that holds the plan of its first wave, or what it has taken over.
+void create(fs::path const& file, Checked const& checked)
 {
+    auto const& input = checked.input;
+    if (!checked.taken.empty()) {
+        ensemble::create_campaign_file(file, input, checked.taken);
+        return;
+    }
     auto const first = tao_calib::first_wave(input);
     std::optional<ensemble::WavePlan> plan;
     if (first.kind == tao_calib::NextStep::Kind::simulate)
@@ -92,30 +115,31 @@ void create(fs::path const& file, CampaignInput const& input)
 }
 
 //! Puts a new campaign file in the place of an old one that nobody works on.
-void replace_campaign(fs::path const& file, CampaignInput const& input)
+void replace_campaign(fs::path const& file, Checked const& checked)
 {
     ensemble::CampaignLock const lock(file, ensemble::CampaignLock::Kind::session);
     fs::path replacement = file;
     replacement += ".replacement";
     fs::remove(replacement);
-    create(replacement, input);
+    create(replacement, checked);
     ensemble::Parts(file).remove();
     fs::rename(replacement, file);
 }
 
 int make_new(fs::path const& toml, fs::path const& file, IfExists if_exists)
 {
-    auto const [input, plan] = read_checked(toml);
+    auto const checked = read_checked(toml);
     if (if_exists == IfExists::replace && fs::exists(file))
-        replace_campaign(file, input);
+        replace_campaign(file, checked);
     else if (fs::exists(file))
         throw InputError(
             fmt::format("{}: exists already; give another name with --output, or --force to lose what "
                         "it holds",
                         file.string()));
     else
-        create(file, input);
-    fmt::print("{}wrote {}; run it with: mpirun -n N demens {}\n", plan, file.string(), file.string());
+        create(file, checked);
+    fmt::print("{}wrote {}; run it with: mpirun -n N demens {}\n", checked.plan, file.string(),
+               file.string());
     return success;
 }
 
@@ -137,10 +161,10 @@ fs::path default_campaign_file(fs::path const& toml)
 void make_or_accept(fs::path const& toml, fs::path const& campaign_file)
 {
     if (!fs::exists(campaign_file)) {
-        auto const [input, plan] = read_checked(toml);
-        ensemble::require_engine(input.run);
-        create(campaign_file, input);
-        fmt::print("{}", plan);
+        auto const checked = read_checked(toml);
+        ensemble::require_engine(checked.input.run);
+        create(campaign_file, checked);
+        fmt::print("{}", checked.plan);
         return;
     }
     auto const input = CampaignInput::from_file(toml);

@@ -74,7 +74,11 @@ void write_case(fs::path const& folder, ensemble::CampaignInput const& input, st
 
 int draw(std::string const& toml, fs::path const& folder, int cases, int repeats)
 {
-    auto const input = ensemble::CampaignInput::from_file(toml);
+    auto input = ensemble::CampaignInput::from_file(toml);
+    if (!input.run.bank.empty()) // as every case sees it
+        input.run.bank = fs::relative(fs::absolute(fs::path(toml).parent_path() / input.run.bank),
+                                      fs::absolute(folder) / "cases" / "case")
+                             .string();
     auto const effects = gap::rehearsed_effects(input);
     on_root(MPI_COMM_WORLD, [&] { fs::create_directories(folder / "truth"); });
     for (int k = 1; k <= cases; ++k) {

@@ -25,8 +25,13 @@ struct ReplayOptions
 ensemble::RunRecord record_of(ensemble::Campaign const& campaign, ReplayOptions const& options)
 {
     for (auto const& record : campaign.all_runs())
-        if (record.run == options.run)
+        if (record.run == options.run) {
+            if (auto const& from = campaign.waves.at(static_cast<std::size_t>(record.wave)).taken_from;
+                !from.empty())
+                throw InputError(fmt::format("{}: run {} was taken from {}; replay it there", options.file,
+                                             options.run, from));
             return record;
+        }
     throw InputError(campaign.runs_planned() == 0
                          ? fmt::format("{}: no run is planned yet; run the campaign first", options.file)
                          : fmt::format("{}: there is no run {}; give --run 0 to {}", options.file,

@@ -7,11 +7,14 @@
 #include "ensemble/storage/lock.hpp"
 
 #include <fmt/format.h>
+#include <functional>
 
 namespace demens::ensemble {
 
-void create_campaign_file(std::filesystem::path const& path, CampaignInput const& input,
-                          std::optional<WavePlan> const& first_wave)
+namespace {
+
+void create(std::filesystem::path const& path, CampaignInput const& input,
+            std::function<void(RowWriter&)> const& write_waves)
 {
     if (std::filesystem::exists(path))
         throw InputError(
@@ -19,10 +22,8 @@ void create_campaign_file(std::filesystem::path const& path, CampaignInput const
     CampaignLock const lock(path, CampaignLock::Kind::session);
     auto file = hdf5::create_in_memory();
     write_header(file, input);
-    if (first_wave) {
-        RowWriter writer(file);
-        write_plan(writer, plan_runs({input, {}, {}}, *first_wave), input);
-    }
+    RowWriter writer(file);
+    write_waves(writer);
     Parts(path).remove(); // of a campaign file that is no more
     write_durably(path, file.take_image());
     try {
@@ -33,6 +34,32 @@ void create_campaign_file(std::filesystem::path const& path, CampaignInput const
         throw FileError(
             fmt::format("{}; it was just written, so that the disk may be failing", error.what()));
     }
+}
+
+} // namespace
+
+void create_campaign_file(std::filesystem::path const& path, CampaignInput const& input,
+                          std::optional<WavePlan> const& first_wave)
+{
+    create(path, input, [&](RowWriter& writer) {
+        if (first_wave)
+            write_plan(writer, plan_runs({input, {}, {}}, *first_wave), input);
+    });
+}
+
+void create_campaign_file(std::filesystem::path const& path, CampaignInput const& input,
+                          std::vector<Wave> const& taken)
+{
+    create(path, input, [&](RowWriter& writer) {
+        for (auto const& wave : taken) {
+            if (!is_complete(wave))
+                throw InputError(
+                    fmt::format("{}: only runs that have ended can be taken over", path.string()));
+            write_plan(writer, wave, input);
+            write_results(writer, wave, input);
+            write_details(writer, wave.number, wave.runs, std::vector<RunDetails>(wave.runs.size()), input);
+        }
+    });
 }
 
 Campaign read_campaign_file(std::filesystem::path const& path, Rigs const& rigs)

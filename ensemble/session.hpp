@@ -61,6 +61,10 @@ class Session
 //! it exists, FileError when it cannot be written
 void create_campaign_file(std::filesystem::path const& file, CampaignInput const& input,
                           std::optional<WavePlan> const& first_wave = {});
+//! The same with runs of another campaign file that hold: its first waves. \throws InputError where one is
+//! not complete
+void create_campaign_file(std::filesystem::path const& file, CampaignInput const& input,
+                          std::vector<Wave> const& taken);
 //! Reads a campaign file on one rank, without opening it for writing. \throws InputError
 Campaign read_campaign_file(std::filesystem::path const& file, Rigs const& rigs = rig::all_rigs());
 //! \throws InputError when the campaign has no such run or it has not been simulated

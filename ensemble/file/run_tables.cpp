@@ -283,6 +283,8 @@ void write_plan(RowWriter& writer, Wave const& wave, CampaignInput const& input)
     writer.make_group(base);
     writer.set_attribute(base, "number", static_cast<std::int64_t>(wave.number));
     writer.set_attribute(base, "purpose", word_for(wave.purpose));
+    if (!wave.taken_from.empty())
+        writer.set_attribute(base, "taken_from", wave.taken_from);
     hdf5::Meaning design{
         {"as in the factor's name"}, {}, "design points, one row each, factors in their own units"};
     for (auto const& factor : input.factors)
@@ -342,6 +344,8 @@ Wave read_wave(hid_t file, int number, CampaignInput const& input)
     Wave wave;
     wave.number = number;
     wave.purpose = purpose_of(base, hdf5::text_attribute(file, base, "purpose"));
+    if (hdf5::has_attribute(file, base, "taken_from"))
+        wave.taken_from = hdf5::text_attribute(file, base, "taken_from");
     wave.runs.resize(hdf5::read<int>(file, table + "run").size());
     read_columns(file, table, plan_columns, wave.runs);
     auto const width = input.factors.size();
@@ -357,7 +361,7 @@ Wave read_wave(hid_t file, int number, CampaignInput const& input)
             throw FileError(
                 fmt::format("{}: run {} is of design point {} and experiment {}, which are not there", base,
                             run.run, run.point, run.experiment));
-        if (run.seed != input.run_seed(run.point, run.experiment, run.replicate))
+        if (wave.taken_from.empty() && run.seed != input.run_seed(run.point, run.experiment, run.replicate))
             throw FileError(
                 fmt::format("{}: run {} does not have the seed that the campaign gives it", base, run.run));
         run.factors.assign(design.data.begin() + static_cast<std::ptrdiff_t>(row * width),

@@ -3,6 +3,7 @@
 #include "ensemble/input/campaign_input.hpp"
 #include "ensemble/input/input_table.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -120,6 +121,16 @@ struct ResolvedPath
 };
 ResolvedPath resolve_path(std::string const& path, BaseInput const& base,
                           std::vector<Experiment> const& experiments);
+//! What is called with a value's path inside its experiment, its place and what it means.
+using VisitValue =
+    std::function<void(std::string const& path, ScalarPlace const& place, OptionSpec const& spec)>;
+//! Visits every value of an experiment; vectors by their components.
+void for_each_value(BaseInput const& base, std::vector<Experiment> const& experiments, std::size_t experiment,
+                    VisitValue const& visit);
+//! What a run of an experiment is made from: its rig's values, and those of the materials, pairs and size
+//! distributions that it names.
+std::vector<ModelValue> model_values(BaseInput const& base, std::vector<Experiment> const& experiments,
+                                     std::size_t experiment);
 //! Where experiments name a material.
 std::vector<NamedMaterial> named_materials(BaseInput const& base, std::vector<Experiment> const& experiments);
 //! All paths that a factor may have.

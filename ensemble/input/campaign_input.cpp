@@ -147,6 +147,14 @@ std::optional<OptionValue> CampaignInput::base_value(std::string const& path) co
     return tree_->value(resolved.places.front());
 }
 
+std::vector<ModelValue> CampaignInput::model_values(int experiment,
+                                                    std::vector<Override> const& overrides) const
+{
+    input::BaseInput base = *tree_;
+    input::apply(overrides, base, experiments);
+    return input::model_values(base, experiments, static_cast<std::size_t>(experiment));
+}
+
 std::vector<NamedMaterial> CampaignInput::named_materials() const
 {
     return input::named_materials(*tree_, experiments);

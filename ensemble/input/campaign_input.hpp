@@ -68,6 +68,14 @@ struct NamedMaterial
     std::string material;
 };
 
+//! A value that a run of an experiment is made from.
+struct ModelValue
+{
+    std::string path; //!< as a factor's, with the experiment's name
+    std::string text; //!< as the resolved input has it, or that of a factor
+    int factor;       //!< that takes its place; -1: none
+};
+
 //! A scalar of the resolved input that is to be found.
 struct Factor
 {
@@ -163,6 +171,7 @@ struct RunOptions
     double run_wall_time_s = limit_by_prediction; //!< a run slower than this is `timed_out`; 0: no limit
     rig::EngineChoice engine = rig::EngineChoice::cpu;
     int runs_together = 0; //!< on a device at once; 0: as many as its memory holds
+    std::string bank;      //!< campaign file whose runs are taken over where they hold; empty: none
 };
 
 //! `[gap]`: what is diagnosed once the campaign is calibrated.
@@ -246,6 +255,8 @@ class CampaignInput
                             int replicate, std::vector<Override> const& overrides = {}) const;
     //! The base value at a path, of the first place that it names; none where it names nothing.
     std::optional<OptionValue> base_value(std::string const& path) const;
+    //! All values that a run of an experiment is made from, with what effects change at the base values.
+    std::vector<ModelValue> model_values(int experiment, std::vector<Override> const& overrides = {}) const;
     //! Where experiments name a material.
     std::vector<NamedMaterial> named_materials() const;
     //! Names of the pairs of materials that have a table `[contact.A_B]`.

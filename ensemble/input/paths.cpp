@@ -3,7 +3,6 @@
 #include "ensemble/input/nested_tables.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace demens::ensemble::input {
 namespace {
@@ -27,12 +26,11 @@ OptionSpec const* find(std::vector<OptionSpec> const& specs, std::string const& 
     return found == specs.end() ? nullptr : &*found;
 }
 
-//! Calls `visit(path, place, spec)` for every number in the options and tables inside an experiment.
-class ExperimentNumbers
+//! Calls `visit(path, place, spec)` for every value in the options and tables inside an experiment.
+class ExperimentValues
 {
   public:
-    using Visit = std::function<void(std::string const& path, ScalarPlace const&, OptionSpec const&)>;
-    ExperimentNumbers(std::size_t experiment, Visit visit)
+    ExperimentValues(std::size_t experiment, VisitValue visit)
         : place_{ScalarPlace::Table::experiment, experiment}, visit_(std::move(visit))
     {
     }
@@ -73,18 +71,8 @@ class ExperimentNumbers
 
   private:
     ScalarPlace place_;
-    Visit visit_;
+    VisitValue visit_;
 };
-
-//! Visits every number of an experiment by its path inside the experiment.
-void for_each_number(BaseInput const& base, std::vector<Experiment> const& experiments,
-                     std::size_t experiment, ExperimentNumbers::Visit visit)
-{
-    auto const& rig = *experiments[experiment].rig;
-    ExperimentNumbers numbers(experiment, std::move(visit));
-    numbers.options("", rig.options);
-    numbers.tables("", rig.tables, base.experiments[experiment]);
-}
 
 bool is_continuous(OptionSpec const& spec)
 {
@@ -92,6 +80,15 @@ bool is_continuous(OptionSpec const& spec)
 }
 
 } // namespace
+
+void for_each_value(BaseInput const& base, std::vector<Experiment> const& experiments, std::size_t experiment,
+                    VisitValue const& visit)
+{
+    auto const& rig = *experiments[experiment].rig;
+    ExperimentValues values(experiment, visit);
+    values.options("", rig.options);
+    values.tables("", rig.tables, base.experiments[experiment]);
+}
 
 ResolvedPath resolve_path(std::string const& path, BaseInput const& base,
                           std::vector<Experiment> const& experiments)
@@ -120,14 +117,14 @@ ResolvedPath resolve_path(std::string const& path, BaseInput const& base,
         }
     } else if (parts[0] == "experiment") {
         for (std::size_t i = 0; i < experiments.size(); ++i)
-            for_each_number(base, experiments, i,
-                            [&](auto const& inside, auto const& place, auto const& spec) {
-                                if (path != "experiment." + experiments[i].name + "." + inside &&
-                                    path != "experiment." + inside)
-                                    return;
-                                resolved.places.push_back(place);
-                                resolved.spec = spec;
-                            });
+            for_each_value(base, experiments, i,
+                           [&](auto const& inside, auto const& place, auto const& spec) {
+                               if (path != "experiment." + experiments[i].name + "." + inside &&
+                                   path != "experiment." + inside)
+                                   return;
+                               resolved.places.push_back(place);
+                               resolved.spec = spec;
+                           });
     }
     return resolved;
 }
@@ -136,7 +133,7 @@ std::vector<NamedMaterial> named_materials(BaseInput const& base, std::vector<Ex
 {
     std::vector<NamedMaterial> named;
     for (std::size_t e = 0; e < experiments.size(); ++e)
-        for_each_number(base, experiments, e, [&](auto const& inside, auto const& place, auto const& spec) {
+        for_each_value(base, experiments, e, [&](auto const& inside, auto const& place, auto const& spec) {
             if (spec.names_entry_of != "material")
                 return;
             auto const material = std::get<std::string>(base.value(place));
@@ -165,7 +162,7 @@ std::vector<std::string> all_paths(BaseInput const& base, std::vector<Experiment
     }
     for (bool const with_name : {true, false})
         for (std::size_t i = 0; i < experiments.size(); ++i)
-            for_each_number(base, experiments, i, [&](auto const& inside, auto const&, auto const& spec) {
+            for_each_value(base, experiments, i, [&](auto const& inside, auto const&, auto const& spec) {
                 auto const above = with_name ? "experiment." + experiments[i].name : "experiment";
                 add_path(above + "." + inside, spec);
             });

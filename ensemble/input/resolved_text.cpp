@@ -20,23 +20,6 @@ std::string list(Values const& values, Text const& text)
     return "[" + joined + "]";
 }
 
-std::string text_of(OptionValue const& value)
-{
-    struct
-    {
-        std::string operator()(double v) const { return number_text(v); }
-        std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
-        std::string operator()(bool v) const { return v ? "true" : "false"; }
-        std::string operator()(std::string const& v) const { return quoted(v); }
-        std::string operator()(Vector3 const& v) const
-        {
-            return list(std::vector{v.x, v.y, v.z}, number_text);
-        }
-        std::string operator()(std::vector<std::string> const& v) const { return list(v, quoted); }
-    } const text;
-    return std::visit(text, value);
-}
-
 //! Writes sections one after the other.
 class Writer
 {
@@ -50,7 +33,7 @@ class Writer
     {
         for (auto const& spec : specs)
             if (auto const& value = values.all().at(spec.key); !is_absent(value))
-                line(spec.key, text_of(value), spec.doc);
+                line(spec.key, option_text(value), spec.doc);
     }
     void lists(std::vector<ListSpec> const& specs, std::map<std::string, std::string> const& values)
     {
@@ -128,7 +111,7 @@ std::string in_line(std::vector<OptionSpec> const& specs, OptionValues const& va
     };
     for (auto const& spec : specs)
         if (auto const& value = values.all().at(spec.key); !is_absent(value))
-            add(spec.key, text_of(value));
+            add(spec.key, option_text(value));
     if (auto const& windows = values.tables("window"); !windows.empty())
         add("window", list(windows, [](OptionValues const& window) {
                 return in_line(curve_window_options(), window);

@@ -138,6 +138,11 @@ std::vector<Field<RunOptions>> const& fields_of()
                .doc = "runs that a group does at once on its device; 0: as many as its memory holds",
                .lower = 0,
                .upper = 65536}),
+        field(&RunOptions::bank,
+              {.key = "bank",
+               .doc =
+                   "campaign file of the same rigs and base model, relative to the TOML file, whose runs are "
+                   "taken over; none: all runs are its own"}),
     };
     return fields;
 }

@@ -21,4 +21,27 @@ std::string number_text(double value)
     return text;
 }
 
+std::string option_text(OptionValue const& value)
+{
+    struct
+    {
+        std::string operator()(double v) const { return number_text(v); }
+        std::string operator()(std::int64_t v) const { return fmt::format("{}", v); }
+        std::string operator()(bool v) const { return v ? "true" : "false"; }
+        std::string operator()(std::string const& v) const { return quoted(v); }
+        std::string operator()(Vector3 const& v) const
+        {
+            return fmt::format("[{}, {}, {}]", number_text(v.x), number_text(v.y), number_text(v.z));
+        }
+        std::string operator()(std::vector<std::string> const& v) const
+        {
+            std::string words;
+            for (auto const& word : v)
+                words += (words.empty() ? "" : ", ") + quoted(word);
+            return "[" + words + "]";
+        }
+    } const text;
+    return std::visit(text, value);
+}
+
 } // namespace demens::ensemble::input

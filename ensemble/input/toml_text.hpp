@@ -1,5 +1,7 @@
 #pragma once
 
+#include "demens/base/options.hpp"
+
 #include <string>
 
 namespace demens::ensemble::input {
@@ -8,5 +10,7 @@ namespace demens::ensemble::input {
 std::string quoted(std::string const& text);
 //! The shortest TOML number with a fraction or an exponent that reads back as the same double.
 std::string number_text(double value);
+//! A value of any kind.
+std::string option_text(OptionValue const& value);
 
 } // namespace demens::ensemble::input

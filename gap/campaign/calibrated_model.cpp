@@ -21,7 +21,12 @@ VectorXd estimate_of(ensemble::Campaign const& campaign)
         throw InputError("the campaign has no estimate of its factors, so that there is no calibrated model "
                          "whose gap could be diagnosed; `demens status` says how far its calibration came");
     auto const& data = analysed->find(ensemble::stored::optimum::estimate)->data;
-    return Eigen::Map<VectorXd const>(data.data(), static_cast<Eigen::Index>(data.size()));
+    VectorXd const estimate = Eigen::Map<VectorXd const>(data.data(), static_cast<Eigen::Index>(data.size()));
+    if (!estimate.allFinite())
+        throw InputError(
+            "the campaign's estimate lies where no run supports it, so that there is no calibrated "
+            "model whose gap could be diagnosed; give the factors wider bounds, or more runs");
+    return estimate;
 }
 
 } // namespace

@@ -1,12 +1,15 @@
 #include "gap/campaign/campaign_evidence.hpp"
 
 #include "demens/base/error.hpp"
+#include "gap/campaign/base_surfaces.hpp"
 #include "gap/campaign/campaign_signature.hpp"
+#include "gap/campaign/spread_signature.hpp"
 #include "gap/statistics/floor.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <utility>
 
 namespace demens::gap {
@@ -69,10 +72,24 @@ PackingScatter scatter_of(std::vector<SimulatedPoint> const& points, std::vector
     return scatter;
 }
 
+//! What the prediction comes from.
+std::string bank_note(ensemble::Campaign const& campaign)
+{
+    std::string sources;
+    std::size_t runs = 0;
+    for (auto const& wave : campaign.waves)
+        if (!wave.taken_from.empty()) {
+            if (sources.find(wave.taken_from) == std::string::npos)
+                sources += (sources.empty() ? "" : ", ") + wave.taken_from;
+            runs += wave.runs.size();
+        }
+    return fmt::format("{} runs are taken from {}", runs, sources);
+}
+
 } // namespace
 
 Evidence measured_evidence(std::vector<CampaignCell> const& cells, std::vector<SimulatedPoint> const& points,
-                           SimulatedPoint const& base, double form_floor)
+                           SimulatedPoint const* base, double form_floor)
 {
     auto const n = static_cast<Eigen::Index>(cells.size());
     Evidence evidence;
@@ -86,7 +103,8 @@ Evidence measured_evidence(std::vector<CampaignCell> const& cells, std::vector<S
         evidence.experiment_variance[i] = cell.sd * cell.sd;
         if (std::exchange(last, cell.cell.experiment) == cell.cell.experiment)
             continue;
-        if (auto scatter = scatter_of(points, cells, last, base.count(last)); scatter.degrees_of_freedom > 0)
+        if (auto scatter = scatter_of(points, cells, last, base ? base->count(last) : 0);
+            scatter.degrees_of_freedom > 0)
             evidence.packing.push_back(std::move(scatter));
     }
     evidence.form_floor = form_floor;
@@ -103,13 +121,28 @@ CampaignEvidence evidence_of(ensemble::Campaign const& campaign, Centre centre)
         throw InputError("no experiment that is fitted has a target, so that there is no gap to diagnose");
     auto const points = simulated_points(campaign, ensemble::WavePurpose::signatures);
     auto const* base = find_point(points, all.model.point, "", 0);
-    auto const means = base_means(base, input, all.cells);
     auto const factors = all.model.slopes.cols();
-    all.evidence = measured_evidence(all.cells, points, *base, options.form_floor);
-    all.evidence.predicted = means;
+    std::optional<BaseSurfaces> surfaces; // over runs of a bank
+    if (has_bank(campaign))
+        surfaces.emplace(campaign, all.model.cube, all.cells);
+    bool const at_theta0 = base && std::all_of(all.cells.begin(), all.cells.end(), [&](auto const& cell) {
+                               return base->has(cell.cell.experiment);
+                           });
+    if (at_theta0 || !surfaces) {
+        auto const means = base_means(base, input, all.cells);
+        all.evidence = measured_evidence(all.cells, points, base, options.form_floor);
+        all.evidence.predicted = means;
+    } else {
+        all.evidence = measured_evidence(all.cells, {}, nullptr, options.form_floor);
+        all.evidence.predicted = surfaces->values(all.model.unit);
+        all.evidence.surrogate_variance = surfaces->deviations(all.model.unit).array().square();
+    }
+    VectorXd const means = all.evidence.predicted;
     all.evidence.nuisance = all.model.slopes;
     all.evidence.nuisance_prior = prior_variance * MatrixXd::Identity(factors, factors);
     all.notes = notes_on(all.cells);
+    if (surfaces)
+        all.notes.push_back(bank_note(campaign));
     if (all.cells.size() < static_cast<std::size_t>(factors))
         all.notes.push_back(fmt::format("{} measured values are fewer than the {} calibrated factors, which "
                                         "absorb nearly everything",
@@ -118,14 +151,20 @@ CampaignEvidence evidence_of(ensemble::Campaign const& campaign, Centre centre)
         all.evidence.measured = means;
     Eigen::VectorXd const floor = make_floor(all.evidence).deviations();
     std::string invisible;
+    auto const runs = simulated_runs(campaign);
     for (auto const& candidate : candidates_of(input)) {
-        auto const made = signature_of(candidate, all, points);
+        auto const made = surfaces && !candidate.measured && is_spread(candidate.effect, input, runs)
+                              ? spread_signature(candidate, all, *surfaces, runs, input)
+                              : signature_of(candidate, all, points);
         if (!made.reason.empty()) {
             all.notes.push_back(fmt::format("{} is left out: {}", candidate.effect.name, made.reason));
             continue;
         }
-        double const largest =
-            made.signature.first.cwiseQuotient(floor).cwiseAbs().maxCoeff() * made.signature.typical;
+        double const a = screening_amplitudes(candidate.effect).front();
+        VectorXd typical_change = a * made.signature.first;
+        if (made.signature.second.size() > 0)
+            typical_change += a * a * made.signature.second;
+        double const largest = typical_change.cwiseQuotient(floor).cwiseAbs().maxCoeff();
         if (largest < least_shown) {
             invisible += (invisible.empty() ? "" : ", ") + candidate.effect.name;
             continue;

@@ -27,8 +27,8 @@ struct CampaignEvidence
 CampaignEvidence evidence_of(ensemble::Campaign const& campaign, Centre centre);
 
 //! What was measured in these cells, and how runs of the points scatter there; neither predictions nor slopes
-//! yet. \param base whose runs a prediction is the mean of
+//! yet. \param base whose runs a prediction is the mean of; null: it is not made of runs at one point
 Evidence measured_evidence(std::vector<CampaignCell> const& cells, std::vector<SimulatedPoint> const& points,
-                           SimulatedPoint const& base, double form_floor);
+                           SimulatedPoint const* base, double form_floor);
 
 } // namespace demens::gap

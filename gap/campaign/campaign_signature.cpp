@@ -26,14 +26,6 @@ Sign sign_of(ensemble::EffectSign sign)
     return Sign::either;
 }
 
-Signature empty_signature(CandidateEffect const& candidate, Eigen::Index cells)
-{
-    return {.name = candidate.effect.name,
-            .first = VectorXd::Zero(cells),
-            .typical = candidate.effect.typical,
-            .sign = sign_of(candidate.effect.sign)};
-}
-
 Signature measured_signature(CandidateEffect const& candidate, CampaignEvidence const& of)
 {
     auto signature = empty_signature(candidate, of.evidence.size());
@@ -147,6 +139,14 @@ void fit_interaction(CampaignEvidence const& of, std::vector<SimulatedPoint> con
 }
 
 } // namespace
+
+Signature empty_signature(CandidateEffect const& candidate, Eigen::Index cells)
+{
+    return {.name = candidate.effect.name,
+            .first = VectorXd::Zero(cells),
+            .typical = candidate.effect.typical,
+            .sign = sign_of(candidate.effect.sign)};
+}
 
 std::vector<double> screening_amplitudes(ensemble::Effect const& effect)
 {

@@ -20,6 +20,9 @@ struct MadeSignature
 MadeSignature signature_of(CandidateEffect const& candidate, CampaignEvidence const& of,
                            std::vector<SimulatedPoint> const& points);
 
+//! A signature of as many cells that changes nothing yet.
+Signature empty_signature(CandidateEffect const& candidate, Eigen::Index cells);
+
 //! Amplitudes at which an effect is simulated: the first look, and all of them in full.
 std::vector<double> screening_amplitudes(ensemble::Effect const& effect);
 //! \param fitted amplitude that the first look gives it

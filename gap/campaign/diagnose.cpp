@@ -1,6 +1,7 @@
 #include "gap/campaign/diagnose.hpp"
 
 #include "ensemble/mpi/agreement.hpp"
+#include "gap/campaign/bank_plan.hpp"
 #include "gap/campaign/next_wave.hpp"
 
 #include <algorithm>
@@ -59,6 +60,13 @@ WaveEnd plan_ahead(Session& session, MPI_Comm communicator)
         if (looks == 1 && has_candidates(campaign))
             return candidate_wave(campaign, Diagnosis(campaign, Centre::middle));
         return std::nullopt;
+    });
+}
+
+WaveEnd fill_bank(Session& session, int points_per_effect, MPI_Comm communicator)
+{
+    return go_on(session, communicator, [points_per_effect](Campaign const& campaign) {
+        return next_bank_wave(campaign, points_per_effect);
     });
 }
 

@@ -15,4 +15,9 @@ ensemble::WaveEnd diagnose(ensemble::Session& session, MPI_Comm communicator = M
 //! middle of the factors. What it finds needs no measured values.
 ensemble::WaveEnd plan_ahead(ensemble::Session& session, MPI_Comm communicator = MPI_COMM_WORLD);
 
+//! Goes on with a bank whose design stands first: each effect at so many points over the range of the
+//! factors.
+ensemble::WaveEnd fill_bank(ensemble::Session& session, int points_per_effect,
+                            MPI_Comm communicator = MPI_COMM_WORLD);
+
 } // namespace demens::gap

@@ -1,7 +1,9 @@
 #include "gap/campaign/next_wave.hpp"
 
 #include "demens/base/error.hpp"
+#include "gap/campaign/base_surfaces.hpp"
 #include "gap/campaign/campaign_signature.hpp"
+#include "gap/campaign/spread_signature.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -22,7 +24,7 @@ int waves_of(Campaign const& campaign, WavePurpose purpose, ExperimentRole role)
 {
     return static_cast<int>(
         std::count_if(campaign.waves.begin(), campaign.waves.end(), [&](auto const& wave) {
-            return wave.purpose == purpose && !wave.runs.empty() &&
+            return wave.purpose == purpose && wave.taken_from.empty() && !wave.runs.empty() &&
                    campaign.input.experiments[static_cast<std::size_t>(wave.runs.front().experiment)].role ==
                        role;
         }));
@@ -123,9 +125,12 @@ WavePlan closure_wave(Campaign const& campaign, Diagnosis const& diagnosis)
     PlanWriter writer(WavePurpose::closure, probable.effects,
                       experiments_of(campaign.input, ExperimentRole::hold_out), options.screening_packings);
     int const in_full = base_points(options);
-    writer.add(in_full, all.model.point);
-    for (auto const& change : interaction_changes(all.model)) // how responses change with the factors there
-        writer.add(1, all.model.moved(change));
+    if (!has_surfaces(campaign, ExperimentRole::hold_out)) {
+        writer.add(in_full, all.model.point);
+        for (auto const& change :
+             interaction_changes(all.model)) // how responses change with the factors there
+            writer.add(1, all.model.moved(change));
+    }
     writer.add(in_full, all.model.moved(diagnosis.refitted().factors));
     for (int k = 0; k < probable.count(); ++k) {
         auto const refit = diagnosis.refitted_with(probable.places[static_cast<std::size_t>(k)]);
@@ -143,7 +148,7 @@ std::optional<WavePlan> within_budget(Campaign const& campaign, WavePlan plan)
 {
     auto runs = plan.points.size() * plan.experiments.size() * static_cast<std::size_t>(plan.replicates);
     for (auto const& wave : campaign.waves)
-        if (!calibrates(wave.purpose))
+        if (!calibrates(wave.purpose) && wave.taken_from.empty())
             runs += wave.runs.size();
     if (runs > static_cast<std::size_t>(options_of(campaign.input).runs))
         return std::nullopt;
@@ -237,21 +242,47 @@ WavePlan candidate_wave(Campaign const& campaign, Diagnosis const& diagnosis)
     return writer.plan();
 }
 
+//! What a bank leaves to be simulated about the estimate: effects of which it has too few runs, and the base
+//! model where its surface is not sure enough.
+std::optional<WavePlan> wave_beside_bank(Campaign const& campaign)
+{
+    auto const options = options_of(campaign.input);
+    auto const model = calibrated_model(campaign, Centre::estimate);
+    auto const runs = simulated_runs(campaign);
+    std::vector<ensemble::Effect> missing;
+    for (auto const& effect : simulated(candidates_of(campaign.input)))
+        if (!is_spread(effect, campaign.input, runs))
+            missing.push_back(effect);
+    bool const is_sure = is_sure_at_estimate(campaign, model);
+    if (missing.empty() && is_sure)
+        return std::nullopt;
+    PlanWriter writer(WavePurpose::signatures, missing,
+                      experiments_of(campaign.input, ExperimentRole::calibrate), options.screening_packings);
+    writer.add(base_points(options), model.point);
+    for (int k = 0; k < static_cast<int>(missing.size()); ++k)
+        writer.add(1, model.point, k, screening_amplitudes(missing[static_cast<std::size_t>(k)]).front());
+    return within_budget(campaign, writer.plan());
+}
+
 //! First looks at all effects; the most probable ones in full, unless all is within the floor; these on what
-//! is held out; then the experiments that might be made.
+//! is held out; then the experiments that might be made. What a bank has is not simulated again.
 std::optional<WavePlan> next_wave(Campaign const& campaign)
 {
     int const looks = waves_of(campaign, WavePurpose::signatures, ExperimentRole::calibrate);
     bool const is_tested = waves_of(campaign, WavePurpose::closure, ExperimentRole::hold_out) > 0;
     bool const is_considered = waves_of(campaign, WavePurpose::signatures, ExperimentRole::consider) > 0 ||
                                experiments_of(campaign.input, ExperimentRole::consider).empty();
-    if (looks == 0)
+    bool const from_bank = has_bank(campaign);
+    if (looks == 0 && !from_bank)
         return screening_wave(campaign, Centre::estimate);
+    if (looks == 0)
+        if (auto plan = wave_beside_bank(campaign))
+            return plan;
     bool const is_testable = !is_tested && !experiments_of(campaign.input, ExperimentRole::hold_out).empty();
     if (is_considered && is_tested)
         return std::nullopt;
     Diagnosis const diagnosis(campaign);
-    if (looks == 1 && diagnosis.attribution().verdict != Verdict::within_floor &&
+    if (looks == 1 && !from_bank && diagnosis.attribution().verdict != Verdict::within_floor &&
         !diagnosis.ranked_effects().empty())
         return within_budget(campaign, full_wave(campaign, diagnosis));
     if (is_testable)

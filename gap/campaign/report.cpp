@@ -1,6 +1,7 @@
 #include "gap/campaign/report.hpp"
 
 #include "demens/base/error.hpp"
+#include "gap/campaign/baseline_answers.hpp"
 #include "gap/campaign/candidate_experiments.hpp"
 #include "gap/campaign/closure.hpp"
 #include "gap/campaign/next_wave.hpp"
@@ -193,6 +194,7 @@ nlohmann::json json_of(CampaignClosure const& closure, Diagnosis const& found)
         for (std::size_t i = 0; i < closure.cells.size(); ++i)
             cells.push_back({{"cell", closure.cells[i].cell.name},
                              {"units", closure.cells[i].units},
+                             {"measured", closure.cells[i].target->value},
                              {"before", effect.closure.cells[i].before},
                              {"after", effect.closure.cells[i].after},
                              {"floor", effect.closure.cells[i].floor}});
@@ -360,20 +362,23 @@ nlohmann::json gap_document(Campaign const& campaign)
     auto const options = campaign.input.gap.value_or(ensemble::GapOptions{});
     auto const& hypotheses = found.hypotheses().options();
     auto const closure = closure_of(campaign, found);
-    return {{"campaign", campaign.input.name},
-            {"where", json_of(found.located(), found)},
-            {"which", json_of(judged(found, closure), found)},
-            {"how_far", closure ? json_of(*closure, found) : nlohmann::json()},
-            {"next", json_of(ranked_experiments(campaign, found))},
-            {"assumed",
-             {{"form_floor", options.form_floor},
-              {"form_error", options.form_error},
-              {"prior_none", hypotheses.prior_none},
-              {"prior_single", hypotheses.prior_single},
-              {"prior_pairs", hypotheses.prior_pairs},
-              {"prior_unknown", hypotheses.prior_unknown},
-              {"named_from", options.named_from}}},
-            {"notes", found.campaign().notes}};
+    auto const rules = baseline_answers(found);
+    return {
+        {"campaign", campaign.input.name},
+        {"where", json_of(found.located(), found)},
+        {"which", json_of(judged(found, closure), found)},
+        {"how_far", closure ? json_of(*closure, found) : nlohmann::json()},
+        {"next", json_of(ranked_experiments(campaign, found))},
+        {"simpler_rules", {{"cosine", rules.cosine}, {"refit", rules.refit}, {"criterion", rules.criterion}}},
+        {"assumed",
+         {{"form_floor", options.form_floor},
+          {"form_error", options.form_error},
+          {"prior_none", hypotheses.prior_none},
+          {"prior_single", hypotheses.prior_single},
+          {"prior_pairs", hypotheses.prior_pairs},
+          {"prior_unknown", hypotheses.prior_unknown},
+          {"named_from", options.named_from}}},
+        {"notes", found.campaign().notes}};
 }
 
 } // namespace demens::gap

@@ -68,6 +68,34 @@ std::vector<SimulatedPoint> simulated_points(ensemble::Campaign const& campaign,
     return points;
 }
 
+std::vector<SimulatedRun> simulated_runs(ensemble::Campaign const& campaign)
+{
+    std::vector<SimulatedRun> runs;
+    for (auto const& wave : campaign.waves)
+        for (auto const& run : wave.runs) {
+            if (run.status != rig::RunStatus::finished)
+                continue;
+            ensemble::Effect const* effect = nullptr;
+            double amplitude = 0;
+            int acting = 0;
+            for (std::size_t k = 0; k < run.amplitudes.size(); ++k)
+                if (run.amplitudes[k] != 0) {
+                    effect = &run.effects->at(k);
+                    amplitude = run.amplitudes[k];
+                    ++acting;
+                }
+            if (acting <= 1)
+                runs.push_back({run.factors, effect, amplitude, run.experiment, &run.responses});
+        }
+    return runs;
+}
+
+bool has_bank(ensemble::Campaign const& campaign)
+{
+    return std::any_of(campaign.waves.begin(), campaign.waves.end(),
+                       [](auto const& wave) { return !wave.taken_from.empty(); });
+}
+
 bool is_at(SimulatedPoint const& point, std::vector<double> const& factors)
 {
     return std::equal(factors.begin(), factors.end(), point.factors.begin(), point.factors.end(), same);

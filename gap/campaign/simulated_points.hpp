@@ -31,6 +31,22 @@ struct SimulatedPoint
 std::vector<SimulatedPoint> simulated_points(ensemble::Campaign const& campaign,
                                              ensemble::WavePurpose purpose);
 
+//! A run of the base model, or of one effect, that has finished.
+struct SimulatedRun
+{
+    std::vector<double> factors;
+    ensemble::Effect const* effect; //!< that acts; null: the base model
+    double amplitude;               //!< of the effect
+    int experiment;
+    std::vector<double> const* responses;
+};
+
+//! All finished runs of all waves in which at most one effect acts; they point into the campaign.
+std::vector<SimulatedRun> simulated_runs(ensemble::Campaign const& campaign);
+
+//! Whether the campaign took runs over from a bank.
+bool has_bank(ensemble::Campaign const& campaign);
+
 //! Whether it has these factors.
 bool is_at(SimulatedPoint const& point, std::vector<double> const& factors);
 //! The point, or null.

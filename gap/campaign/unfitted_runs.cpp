@@ -1,6 +1,7 @@
 #include "gap/campaign/unfitted_runs.hpp"
 
 #include "demens/base/error.hpp"
+#include "gap/campaign/base_surfaces.hpp"
 #include "gap/campaign/campaign_signature.hpp"
 
 #include <algorithm>
@@ -16,12 +17,22 @@ UnfittedRuns::UnfittedRuns(ensemble::Campaign const& campaign, Diagnosis const& 
     : found_(diagnosis), cells_(cells), points_(simulated_points(campaign, purpose))
 {
     auto const* at_theta0 = base(VectorXd::Zero(diagnosis.evidence().factors()));
-    auto const predicted = means(at_theta0, "the calibrated model");
-    evidence_ = measured_evidence(cells, points_, *at_theta0,
-                                  campaign.input.gap.value_or(ensemble::GapOptions{}).form_floor);
-    evidence_.predicted = predicted;
+    double const form_floor = campaign.input.gap.value_or(ensemble::GapOptions{}).form_floor;
+    if (!at_theta0 && has_surfaces(campaign, cells)) {
+        auto const& model = diagnosis.campaign().model;
+        BaseSurfaces const surfaces(campaign, model.cube, cells);
+        auto const* refitted = base(diagnosis.refitted().factors);
+        means(refitted, "the base model, calibrated again"); // that it has some
+        evidence_ = measured_evidence(cells, points_, refitted, form_floor);
+        evidence_.predicted = surfaces.values(model.unit);
+        evidence_.nuisance = surfaces.slopes(model.unit);
+    } else {
+        auto const predicted = means(at_theta0, "the calibrated model");
+        evidence_ = measured_evidence(cells, points_, at_theta0, form_floor);
+        evidence_.predicted = predicted;
+        evidence_.nuisance = slopes();
+    }
     evidence_.nuisance_prior = diagnosis.evidence().nuisance_prior;
-    evidence_.nuisance = slopes();
 }
 
 SimulatedPoint const* UnfittedRuns::base(VectorXd const& change) const

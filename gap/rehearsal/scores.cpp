@@ -4,9 +4,11 @@
 #include "gap/statistics/score.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <map>
 
 namespace demens::gap {
 namespace {
@@ -98,6 +100,53 @@ class Share
     int hits_ = 0, cases_ = 0;
 };
 
+//! Whether a simpler rule's answer is right; the prior says none.
+struct SimplerRules
+{
+    void add(json const& answer, std::string const& right)
+    {
+        for (auto& [rule, share] : shares)
+            share.add((rule == "prior" ? "none" : answer.at("simpler_rules").at(rule).get<std::string>()) ==
+                      right);
+    }
+    std::map<std::string, Share> shares = {{"cosine", {}}, {"criterion", {}}, {"prior", {}}, {"refit", {}}};
+};
+
+//! Probabilities said of all classes, and how often they came true.
+class SaidAndTrue
+{
+  public:
+    void add(Classes const& classes, std::vector<std::string> const& right)
+    {
+        for (std::size_t k = 0; k < classes.names.size(); ++k) {
+            auto& bin =
+                bins_[static_cast<std::size_t>(std::clamp(classes.probabilities[k] * bins, 0.0, bins - 1.0))];
+            bin.said += classes.probabilities[k];
+            ++bin.count;
+            bin.came_true += std::find(right.begin(), right.end(), classes.names[k]) != right.end();
+        }
+    }
+    std::string text() const
+    {
+        std::string text;
+        for (auto const& bin : bins_)
+            if (bin.count > 0)
+                fmt::format_to(std::back_inserter(text), "{}{:.2f}: {:.2f} of {}", text.empty() ? "" : ", ",
+                               bin.said / bin.count, static_cast<double>(bin.came_true) / bin.count,
+                               bin.count);
+        return text;
+    }
+
+  private:
+    static constexpr int bins = 5;
+    struct Bin
+    {
+        double said = 0;
+        int count = 0, came_true = 0;
+    };
+    std::array<Bin, bins> bins_;
+};
+
 bool is_unknown(json const& answer, Classes const& classes)
 {
     auto const& which = answer.at("which");
@@ -112,6 +161,8 @@ std::string score_text(std::vector<AnsweredCase> const& cases)
     Share first, in_group, named, false_first, false_named, flagged, misnamed, one_of_pair, both_of_pair;
     std::vector<double> closures;
     double brier = 0, logs = 0;
+    SimplerRules rules;
+    SaidAndTrue said;
     for (auto const& [truth, answer] : cases) {
         auto const classes = classes_of(answer);
         auto const top = classes.first();
@@ -125,6 +176,9 @@ std::string score_text(std::vector<AnsweredCase> const& cases)
             p_truth += is_right ? classes.probabilities[k] : 0;
             brier += std::pow(classes.probabilities[k] - (classes.names[k] == right ? 1 : 0), 2);
         }
+        said.add(classes, truth.kind == CaseKind::pair ? truth.effects : std::vector{right});
+        if (truth.kind == CaseKind::none || truth.kind == CaseKind::single)
+            rules.add(answer, right);
         logs -= std::log(std::max(p_truth, 1e-12));
         switch (truth.kind) {
         case CaseKind::none:
@@ -171,6 +225,9 @@ std::string score_text(std::vector<AnsweredCase> const& cases)
         line("Brier score", fmt::format("{:.3f}", brier / static_cast<double>(cases.size())));
         line("log score", fmt::format("{:.3f}", logs / static_cast<double>(cases.size())));
     }
+    line("probability said: share that came true", said.text());
+    for (auto const& [rule, share] : rules.shares)
+        line(("none or a single effect right by the rule: " + rule).c_str(), share.text());
     return text;
 }
 

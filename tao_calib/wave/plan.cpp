@@ -44,6 +44,8 @@ struct Budget
                 per_point += experiment.replicates;
         double wall_time = 0;
         for (auto const& wave : campaign.waves) {
+            if (!wave.taken_from.empty())
+                continue; // paid elsewhere
             runs += static_cast<int>(wave.runs.size());
             wall_time += wave.wall_time;
         }

@@ -112,6 +112,28 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
     again = diagnose("soft", 1, "material.ball.youngs_modulus=3.5e8", *factors)
     assert again == soft
 
+    # runs shared between campaigns of these rigs: the same answer on any number of ranks, with none for signatures
+    with open("bank.toml", "w") as text:
+        text.write(experiments({}))
+    run(mpirun, "-n", "2", demens, "gap", "bank", "bank.toml", "--points-per-effect", "6")
+    shared = open("soft.toml").read().replace("waves = 3", "waves = 0") + '\n[run]\nbank = "bank.h5"\n'
+    answers = []
+    for ranks in (1, 2):
+        with open(f"shared{ranks}.toml", "w") as text:
+            text.write(shared)
+        said = run(demens, "new", f"shared{ranks}.toml")
+        assert "runs of bank.h5, CRC-32 " in said, said
+        run(mpirun, "-n", str(ranks), demens, f"shared{ranks}.h5")
+        answers.append(json.loads(run(demens, "gap", f"shared{ranks}.h5", "--json")))
+    assert answers[0] == answers[1]
+    which = answers[0]["which"]
+    assert [group for group in which["named_groups"] + [which["named"]] if "softening" in group], which
+    run(demens, "report", "shared1.h5") # though no run of it has snapshots
+    with open("denser.toml", "w") as text:
+        text.write(shared.replace("density = 2500", "density = 2600"))
+    refused = subprocess.run([demens, "new", "denser.toml"], env=environment, capture_output=True, text=True)
+    assert refused.returncode == 2 and "material.ball.density is 2600.0 here, 2500.0 there" in refused.stderr, refused
+
     plan = run(mpirun, "-n", "2", demens, "gap", "plan", "soft.toml")
     print(plan)
     assert "softening" in plan and "200 twins of each cause" in plan and "next grazing" in plan, plan

@@ -40,6 +40,10 @@ with tempfile.TemporaryDirectory() as folder:
         campaign.write(given.read().replace("@EXPERIMENTS@", text).replace(
             "form_floor = 0.01", 'form_floor = 0.01\neffects = ["softening", "wall_friction"]'))
 
+    # all cases share runs
+    run(mpirun, "-n", "2", demens, "gap", "bank", "campaign.toml", "-o", "bank.h5", "--points-per-effect", "6")
+    with open("campaign.toml", "a") as campaign:
+        campaign.write('\n[run]\nbank = "bank.h5"\n')
     said = run(mpirun, "-n", "2", demens, "gap", "rehearse", "draw", "campaign.toml", "-o", "rehearsal", "--cases", str(cases))
     seals = json.load(open("rehearsal/seals.json"))
     assert len(seals) == cases and all(seal in said for seal in seals.values()), said
@@ -63,9 +67,10 @@ with tempfile.TemporaryDirectory() as folder:
         canonical = sealed["salt"] + json.dumps(sealed["truth"], sort_keys=True, separators=(",", ":"))
         # numbers are written alike by both programs but for exponents, which these have none of
         assert hashlib.sha256(canonical.encode()).hexdigest() == seals[name], (name, canonical)
+        assert any("runs are taken from bank.h5" in note for note in json.load(open(f"blind/cases/{name}/answer.json"))["notes"])
     scores = run(demens, "gap", "rehearse", "score", "rehearsal")
     print(scores)
-    assert "single effect: right cause first" in scores and "Brier score" in scores, scores
+    assert "single effect: right cause first" in scores and "Brier score" in scores and "right by the rule: cosine" in scores, scores
     # what is drawn is new each time, so that the scores themselves are not for a test
 
     truth = json.load(open("rehearsal/truth/case01.json"))

@@ -8,6 +8,7 @@
 
 #include "demens/base/error.hpp"
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -165,6 +166,13 @@ TEST(CampaignDiagnosis, SaysWhatIsMissing)
 {
     auto campaign = calibrated(line_campaign(0.6));
     EXPECT_THROW(gap_text(campaign), InputError) << "no wave of signatures yet";
+    campaign.waves.back().analysis.front().data[1] = std::nan("");
+    try {
+        next_wave(campaign);
+        FAIL() << "the estimate is not supported";
+    } catch (InputError const& error) {
+        EXPECT_THAT(error.what(), HasSubstr("lies where no run supports it"));
+    }
     campaign.waves.back().analysis.clear();
     try {
         next_wave(campaign);
