@@ -2,6 +2,7 @@
 
 #include "demens/base/file_error.hpp"
 #include "demens/base/text/file.hpp"
+#include "src/picture_file/stated_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,13 +27,30 @@ struct Format
 {
     std::string_view name, mark;
     gdImagePtr (*read)(int size, void* data);
+    std::uint64_t (*stated_pixels)(std::string_view content);
 };
 constexpr Format formats[] = {
-    {"PNG", "\x89PNG\r\n\x1a\n", gdImageCreateFromPngPtr},
+    {"PNG", "\x89PNG\r\n\x1a\n", gdImageCreateFromPngPtr, stated_pixels_of_png},
     // warnings are errors: a file that is cut short would be grey below
-    {"JPEG", "\xff\xd8\xff", [](int size, void* data) { return gdImageCreateFromJpegPtrEx(size, data, 0); }},
-    {"BMP", "BM", gdImageCreateFromBmpPtr},
+    {"JPEG", "\xff\xd8\xff", [](int size, void* data) { return gdImageCreateFromJpegPtrEx(size, data, 0); },
+     stated_pixels_of_jpeg},
+    {"BMP", "BM", gdImageCreateFromBmpPtr, stated_pixels_of_bmp},
 };
+
+std::uint64_t constexpr most_pixels = 150'000'000; //!< more than any camera has; 1.2 GB of memory here
+std::uint64_t constexpr most_pixels_a_byte =
+    10'000; //!< deflate packs at most 1,032 bytes of eight pixels into one
+
+//! A header of a few bytes can ask for any memory. \throws InputError
+void check_stated_size(std::uint64_t pixels, std::uint64_t bytes, std::string const& origin)
+{
+    if (pixels > most_pixels)
+        throw InputError(fmt::format("{}: states {} pixels; at most {} are read, make it smaller", origin,
+                                     pixels, most_pixels));
+    if (pixels > most_pixels_a_byte * bytes)
+        throw InputError(fmt::format("{}: states {} pixels in {} bytes, which cannot be; save it again",
+                                     origin, pixels, bytes));
+}
 
 //! Darkness of a pixel on white.
 float darkness_of(gdImage* image, int column, int row)
@@ -89,6 +107,7 @@ observe::GreyImage read_picture(std::string const& content, std::string const& o
     });
     if (format == std::end(formats))
         throw InputError(fmt::format("{}: not a picture that is read; save it as PNG, JPEG or BMP", origin));
+    check_stated_size(format->stated_pixels(content), content.size(), origin);
     gdSetErrorMethod([](int, char const*, va_list) {}); // it would print; the message below says what matters
     std::string bytes = content;
     Image const image(format->read(static_cast<int>(bytes.size()), bytes.data()));

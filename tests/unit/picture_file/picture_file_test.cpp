@@ -71,6 +71,31 @@ TEST(PictureFile, RefusesWhatIsDamagedOrNoPicture)
     EXPECT_THROW(picture_file::read_picture("/nowhere/a.png"), InputError);
 }
 
+TEST(PictureFile, MakesNoMemoryOfWhatAHeaderStates)
+{
+    auto formats = all_formats();
+    auto const refusal = [](std::string const& content) -> std::string {
+        try {
+            picture_file::read_picture(content, "large");
+        } catch (InputError const& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    std::string const four("\x00\x00\x40\x00", 4), back("\x00\x40\x00\x00", 4); // 16,384, either end first
+    formats[0].content.replace(16, 8, four + four);
+    auto const frame = formats[1].content.find("\xff\xc0");
+    ASSERT_NE(frame, std::string::npos);
+    formats[1].content.replace(frame + 5, 4, "\x40\x01\x40\x01");
+    formats[2].content.replace(18, 8, back + back);
+    for (auto const& format : formats)
+        EXPECT_NE(refusal(format.content).find("pixels; at most 150000000 are read"), std::string::npos)
+            << format.name << " " << refusal(format.content);
+    auto many = all_formats()[0].content;
+    many.replace(16, 8, std::string("\x00\x00\x27\x10\x00\x00\x27\x10", 8)); // 10,000 x 10,000
+    EXPECT_NE(refusal(many).find("states 100000000 pixels in"), std::string::npos) << refusal(many);
+}
+
 TEST(PictureFile, SeesColoursAsLumaAndTransparencyAsWhite)
 {
     gdImage* const image = gdImageCreateTrueColor(2, 1);
