@@ -10,6 +10,7 @@
 #include "ensemble/run/wave_runner.hpp"
 #include "ensemble/shared_campaign.hpp"
 #include "ensemble/storage/lock.hpp"
+#include "ensemble/wave_inspection.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -62,31 +63,45 @@ struct Session::Implementation
 
     bool is_root() const { return rank_of(communicator) == 0; }
 
-    //! The state of the wave, seen by rank 0; runs that are not begun again get their status here.
-    WaveWork inspect(Wave& wave, std::vector<int>& crcs, Journal* journal)
+    //! The state of the wave; runs that are not begun again get their status here.
+    WaveState inspect_and_quarantine(Wave const& wave, Journal* journal)
+    {
+        while (true) {
+            std::map<int, RunHistory> histories;
+            auto state = inspect(communicator, parts, wave, campaign->input, histories);
+            on_root(communicator, [&] {
+                for (int const row : state.poisonous) {
+                    FinishedRun quarantined{wave.runs[static_cast<std::size_t>(row)], {}};
+                    quarantined.record.status = rig::RunStatus::quarantined;
+                    quarantined.record.reason = quarantine_reason(histories[quarantined.record.run]);
+                    parts.store(quarantined, campaign->input, *journal);
+                }
+            });
+            std::vector<int> poisonous(1, static_cast<int>(state.poisonous.size()));
+            broadcast(communicator, poisonous);
+            if (poisonous.front() == 0)
+                return state;
+        }
+    }
+
+    WaveWork look_at(Wave const& wave, std::vector<int>& crcs, Journal* journal)
     {
         WaveWork work;
         std::vector<int> counts(2);
+        auto const state = inspect_and_quarantine(wave, journal);
         on_root(communicator, [&] {
-            auto state = parts.inspect(wave, campaign->input);
-            for (int const row : state.poisonous) {
-                auto& run = wave.runs[static_cast<std::size_t>(row)];
-                FinishedRun quarantined{run, {}};
-                quarantined.record.status = rig::RunStatus::quarantined;
-                quarantined.record.reason = quarantine_reason(state.histories[run.run]);
-                parts.store(quarantined, campaign->input, *journal);
-            }
-            if (!state.poisonous.empty())
-                state = parts.inspect(wave, campaign->input);
             std::map<int, double> measured;
-            for (auto const& finished : state.finished) {
-                if (finished.record.status == rig::RunStatus::finished)
-                    measured[finished.record.run] = finished.record.wall_time;
-                work.clock = std::max(work.clock, finished.record.start_time + finished.record.wall_time);
+            for (std::size_t row = 0; row < state.shards.size(); ++row) {
+                auto const& shard = state.shards[row];
+                crcs.push_back(static_cast<int>(shard.crc));
+                if (shard.crc == 0)
+                    continue;
+                if (shard.status == rig::RunStatus::finished)
+                    measured[wave.runs[row].run] = shard.wall_time;
+                work.clock = std::max(work.clock, shard.start_time + shard.wall_time);
                 ++counts[0];
-                counts[1] += rig::has_failed(finished.record.status);
+                counts[1] += rig::has_failed(shard.status);
             }
-            crcs.assign(state.crcs.begin(), state.crcs.end());
             auto const expected = expected_times(*campaign, wave, measured);
             work.seconds = expected.seconds;
             work.limits = wall_time_limits(campaign->input.run, expected);
@@ -134,7 +149,7 @@ struct Session::Implementation
         });
         for (int round = 0;; ++round) {
             std::vector<int> crcs;
-            auto const work = inspect(wave, crcs, journal.get());
+            auto const work = look_at(wave, crcs, journal.get());
             if (work.pending.empty() && work.suspicious.empty()) {
                 gather_wave(wave, work, crcs);
                 return WaveEnd::complete;

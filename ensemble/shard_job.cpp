@@ -7,6 +7,7 @@
 #include "ensemble/session.hpp"
 #include "ensemble/shared_campaign.hpp"
 #include "ensemble/storage/lock.hpp"
+#include "ensemble/wave_inspection.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -56,11 +57,10 @@ WaveEnd run_shards(MPI_Comm parent, std::filesystem::path const& file, int task,
     auto const expected = expected_times(campaign, wave); // the same on all ranks
     work.seconds = expected.seconds;
     work.limits = wall_time_limits(campaign.input.run, expected);
-    on_root(communicator, [&] {
-        auto const state = parts.inspect(wave, campaign.input);
-        work.pending = longest_first(own_rows(state.pending, wave, task, tasks), work.seconds);
-        work.suspicious = longest_first(own_rows(state.suspicious, wave, task, tasks), work.seconds);
-    });
+    std::map<int, RunHistory> histories;
+    auto const state = inspect(communicator, parts, wave, campaign.input, histories);
+    work.pending = longest_first(own_rows(state.pending, wave, task, tasks), work.seconds);
+    work.suspicious = longest_first(own_rows(state.suspicious, wave, task, tasks), work.seconds);
     broadcast(communicator, work.pending);
     broadcast(communicator, work.suspicious);
     WaveRunner runner(communicator, groups, campaign.input, parts);

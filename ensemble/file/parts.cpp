@@ -98,29 +98,34 @@ FinishedRun Parts::load(RunRecord const& plan, CampaignInput const& input,
     return run;
 }
 
-WaveState Parts::inspect(Wave const& wave, CampaignInput const& input) const
+SeenShard Parts::look(RunRecord const& plan, CampaignInput const& input,
+                      std::vector<std::uint32_t> const& crcs) const
+{
+    if (crcs.empty())
+        return {};
+    try {
+        auto const run = load(plan, input, crcs);
+        return {run.shard_crc, run.record.status, run.record.start_time, run.record.wall_time};
+    } catch (FileError const&) {
+        return {}; // as if it had never ended: it runs again
+    }
+}
+
+WaveState Parts::state_of(Wave const& wave, std::map<int, RunHistory> const& histories,
+                          std::vector<SeenShard> shards)
 {
     WaveState state;
-    state.histories = read_journals(folder_);
     for (std::size_t row = 0; row < wave.runs.size(); ++row) {
-        auto const& plan = wave.runs[row];
-        auto const& history = state.histories[plan.run];
-        auto& crc = state.crcs.emplace_back(0);
-        if (!history.shard_crcs.empty()) {
-            try {
-                auto const run = load(plan, input, history.shard_crcs);
-                crc = run.shard_crc;
-                state.finished.push_back({run.record, {}, crc});
-                continue;
-            } catch (FileError const&) {
-                // as if it had never ended: it runs again
-            }
-        }
+        if (shards[row].crc != 0)
+            continue;
+        auto const found = histories.find(wave.runs[row].run);
+        auto const history = found == histories.end() ? RunHistory{} : found->second;
         (is_poisonous(history)    ? state.poisonous
          : is_suspicious(history) ? state.suspicious
                                   : state.pending)
             .push_back(static_cast<int>(row));
     }
+    state.shards = std::move(shards);
     return state;
 }
 

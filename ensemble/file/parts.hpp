@@ -17,16 +17,22 @@ struct FinishedRun
     std::uint32_t shard_crc = 0; //!< 0: not written yet
 };
 
+//! What the whole shard of a run says in short.
+struct SeenShard
+{
+    std::uint32_t crc = 0; //!< 0: there is none
+    rig::RunStatus status = rig::RunStatus::not_run;
+    double start_time = 0, wall_time = 0; //!< [s]
+};
+
 //! What a wave still lacks.
 struct WaveState
 {
     std::vector<int> pending; //!< rows that can run beside each other
     std::vector<int>
         suspicious; //!< rows that were in progress when processes died: one at a time, nothing beside it
-    std::vector<int> poisonous;          //!< rows that are not begun again; see `reason_of`
-    std::vector<std::uint32_t> crcs;     //!< of the whole shard of each row; 0: there is none
-    std::vector<FinishedRun> finished;   //!< whole shards; no details
-    std::map<int, RunHistory> histories; //!< by run number
+    std::vector<int> poisonous;    //!< rows that are not begun again; see `quarantine_reason`
+    std::vector<SeenShard> shards; //!< of each row
 };
 
 //! The folder FILE.parts: a shard per finished run of the wave in progress, and journals.
@@ -50,8 +56,12 @@ class Parts
 
     //! Writes the shard, then its END line. \throws FileError; then there is no shard
     void store(FinishedRun const& run, CampaignInput const& input, Journal& journal) const;
-    //! What is there and whole. Reads every shard. No run may be in progress.
-    WaveState inspect(Wave const& wave, CampaignInput const& input) const;
+    //! Reads a shard whose check sum is one of `crcs`.
+    SeenShard look(RunRecord const& plan, CampaignInput const& input,
+                   std::vector<std::uint32_t> const& crcs) const;
+    //! What is to be done with each row, by what journals say and what was seen of its shard.
+    static WaveState state_of(Wave const& wave, std::map<int, RunHistory> const& histories,
+                              std::vector<SeenShard> shards);
     //! Reads the shard of a planned run with its details. \throws FileError when its check
     //! sum is none of `crcs`
     FinishedRun load(RunRecord const& plan, CampaignInput const& input,
