@@ -45,7 +45,7 @@ std::vector<SeenShard> collect(MPI_Comm communicator, std::vector<SeenShard> con
     std::vector<int> counts;
     for (std::size_t rank = 0; rank + 1 < limits.size(); ++rank)
         counts.push_back(limits[rank + 1] - limits[rank]);
-    MPI_Datatype shard;
+    MPI_Datatype shard = MPI_DATATYPE_NULL;
     MPI_Type_contiguous(sizeof(SeenShard), MPI_BYTE, &shard);
     MPI_Type_commit(&shard);
     MPI_Gatherv(mine.data(), static_cast<int>(mine.size()), shard, all.data(), counts.data(), limits.data(),
