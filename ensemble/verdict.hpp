@@ -20,10 +20,23 @@ char const* name_of(Verdict verdict);
 //! How verdicts are come to, to be printed beside them.
 char const* verdict_rule();
 
-//! Whether an interval may be stated: not one that no run supports.
+//! Whether a misfit of that p value is beyond chance; not where it is not known.
+inline bool misses_targets(double p_value)
+{
+    return p_value < 0.01;
+}
+
+//! Whether an interval is stored: not one that no run supports.
 constexpr bool has_interval(Verdict verdict)
 {
     return verdict != Verdict::extrapolated && verdict != Verdict::beyond_runs;
+}
+
+//! Whether an interval is told: nor one of targets that are missed, unless the noise was enlarged to hold the
+//! misfit.
+constexpr bool states_interval(Verdict verdict, double noise_inflation)
+{
+    return has_interval(verdict) && (verdict != Verdict::misfit || noise_inflation > 1);
 }
 
 } // namespace demens::ensemble

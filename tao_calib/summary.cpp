@@ -1,5 +1,6 @@
 #include "tao_calib/summary.hpp"
 
+#include "ensemble/fit_quality.hpp"
 #include "tao_calib/objective.hpp"
 #include "tao_calib/wave/misfit.hpp"
 #include "tao_calib/wave/verdict.hpp"
@@ -53,35 +54,24 @@ double scalar(Wave const& wave, stored::ArrayName const& name)
     return data && !data->empty() ? data->front() : std::numeric_limits<double>::quiet_NaN();
 }
 
-//! Whether the estimate itself is an extrapolation, so that nothing can be said of it.
-bool rests_on_no_runs(Wave const& wave)
-{
-    auto const* estimate = find(wave, stored::optimum::estimate);
-    return estimate &&
-           std::any_of(estimate->begin(), estimate->end(), [](double x) { return std::isnan(x); });
-}
-
 //! Whether the targets are met together: before anything that rests on it.
-void add_fit(std::string& out, Wave const& wave)
+void add_fit(std::string& out, Campaign const& campaign, Wave const& wave)
 {
-    if (!find(wave, stored::optimum::p_value))
-        return;
-    double const p = scalar(wave, stored::optimum::p_value),
-                 inflation = scalar(wave, stored::optimum::noise_inflation);
-    if (rests_on_no_runs(wave)) {
-        out += "  fit: whether the targets can be met is not known: the surrogates come nearest to them "
-               "where no run "
-               "supports it\n";
-        return;
-    }
-    bool const missed = misses_targets(p);
-    fmt::format_to(
-        std::back_inserter(out), "  fit: the targets {} together, chi2 {} on {:g} degrees of freedom, p {}\n",
-        missed ? "cannot be met" : "can be met", known(scalar(wave, stored::optimum::least_misfit), 4),
-        scalar(wave, stored::optimum::degrees), known(p, 2));
-    if (inflation > 1)
+    auto const to = std::back_inserter(out);
+    auto const* responses = find(wave, stored::optimum::best_responses);
+    if (responses) {
+        auto const quality = ensemble::fit_quality(campaign.input, *responses);
+        fmt::format_to(to, "  best run {}\n", headline(quality));
         fmt::format_to(
-            std::back_inserter(out),
+            to, "  root mean square deviation {:.3g} scales; design point {:.0f}, simulated {:.0f} times\n",
+            quality.root_mean_square, scalar(wave, stored::optimum::best_point_number),
+            scalar(wave, stored::optimum::best_repetitions));
+    }
+    if (auto const text = ensemble::targets_text(wave); !text.empty())
+        fmt::format_to(to, "  fit: {}\n", text);
+    if (double const inflation = ensemble::noise_inflation(wave); inflation > 1)
+        fmt::format_to(
+            to,
             "  all noise is taken to be {:.3g} times as large as stated, so that this misfit counts "
             "as noise: intervals are wider by about as much\n",
             inflation);
@@ -118,13 +108,13 @@ void add_factors(std::string& out, Campaign const& campaign, Wave const& wave)
         fmt::format_to(to, "  {:<{}}  {:>12}", factors[j].name, width, known((*best)[j]));
         if (judged) {
             auto const judged = static_cast<Verdict>((*verdict)[j]);
-            bool const stated = has_interval(judged);
+            bool const stated = states_interval(judged, ensemble::noise_inflation(wave));
             fmt::format_to(to, "  {:>12}  {:>27}  {:>12}  {}", stated ? known((*estimated)[j]) : "none",
                            stated ? fmt::format("{:>12} to {:>11}", known((*interval)[2 * j], 5),
                                                 known((*interval)[2 * j + 1], 5))
                                   : "none",
                            stated ? spread_text(factors[j], (*spread)[j]) : "-", name_of(judged));
-            if (stated && (*on_bound)[j] != 0)
+            if (has_interval(judged) && (*on_bound)[j] != 0)
                 fmt::format_to(to, "; the estimate is on the {} bound",
                                (*on_bound)[j] < 0 ? "lower" : "upper");
         }
@@ -293,14 +283,7 @@ std::string summary(Campaign const& campaign)
     Wave const* wave = last_analysed(campaign);
     if (wave && find(*wave, stored::optimum::best_point)) {
         out += '\n';
-        add_fit(out, *wave);
-        fmt::format_to(
-            std::back_inserter(out),
-            "  best run: design point {:.0f}, simulated {:.0f} times; weighted mean square error {}, "
-            "mean square residual {}\n",
-            scalar(*wave, stored::optimum::best_point_number),
-            scalar(*wave, stored::optimum::best_repetitions), known(scalar(*wave, stored::optimum::wmse), 4),
-            known(scalar(*wave, stored::optimum::mean_square_residual), 4));
+        add_fit(out, campaign, *wave);
         add_factors(out, campaign, *wave);
         add_targets(out, campaign, *wave);
         add_findings(out, campaign, *wave);

@@ -48,7 +48,8 @@ std::vector<rig::ResponseInfo> responses_of(CurveTarget const& target, std::stri
                                          window.to, axis_units)});
     if (target.shift == CurveShift::free)
         responses.push_back({target.name + "_shift", axis_units,
-                             fmt::format("what is added to the measured axis of {}", target.name)});
+                             fmt::format("what is added to the measured axis of {}", target.name),
+                             rig::ResponseKind::accuracy});
     return responses;
 }
 

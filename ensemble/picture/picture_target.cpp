@@ -33,7 +33,8 @@ double on_line(observe::BedPicture const& bed, observe::PictureFrame const& fram
 std::vector<rig::ResponseInfo> responses_of(PictureTarget const& target)
 {
     std::vector<rig::ResponseInfo> responses = {
-        {"picture_mismatch_mm2", "mm2", "area that the bed covers in one of picture and photograph alone"},
+        {"picture_mismatch_mm2", "mm2", "area that the bed covers in one of picture and photograph alone",
+         rig::ResponseKind::accuracy},
         {"picture_area_percent", "%", "part of the drum's circle that the bed covers in the picture"},
         {"picture_angle_deg", "deg", "inclination of the bed's surface in the picture"},
         {"picture_r2", "1", "straightness of the bed's surface in the picture"}};

@@ -266,6 +266,12 @@ std::optional<BestFit> best_fit(Campaign const& campaign)
                                           target.value, target.scale});
             ++t;
         }
+    if (responses && responses->data.size() == t)
+        best.quality = fit_quality(campaign.input, responses->data);
+    for (auto wave = campaign.waves.rbegin(); wave != campaign.waves.rend() && best.targets.empty(); ++wave) {
+        best.targets = targets_text(*wave);
+        best.noise_inflation = noise_inflation(*wave);
+    }
     return best;
 }
 

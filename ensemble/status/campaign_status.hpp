@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ensemble/campaign.hpp"
+#include "ensemble/fit_quality.hpp"
 #include "ensemble/verdict.hpp"
 
 #include <filesystem>
@@ -82,7 +83,10 @@ struct BestFit
         double value = 0, target = 0, scale = 0;
     };
     double wmse = 0;
-    int run = -1; //!< -1: not known
+    int run = -1;                      //!< -1: not known
+    std::optional<FitQuality> quality; //!< of the best run
+    std::string targets;               //!< whether they can be met together; empty: not known
+    double noise_inflation = 1;        //!< with which intervals were made
     std::vector<Factor> factors;
     std::vector<Response> responses;
 };

@@ -75,10 +75,10 @@ json time_left_of(CampaignStatus const& status)
             {"runs_at_a_time", status.time_left->at_a_time}};
 }
 
-json factor_of(BestFit::Factor const& factor)
+json factor_of(BestFit::Factor const& factor, double noise_inflation)
 {
     json one = {{"name", factor.name}, {"best_run", number(factor.value)}};
-    bool const is_stated = factor.known && has_interval(factor.known->verdict);
+    bool const is_stated = factor.known && states_interval(factor.known->verdict, noise_inflation);
     one["estimate"] = is_stated ? number(factor.known->estimate) : json(nullptr);
     one["interval_95"] =
         is_stated ? json{number(factor.known->lower), number(factor.known->upper)} : json(nullptr);
@@ -92,16 +92,21 @@ json best_of(std::optional<BestFit> const& best)
         return nullptr;
     json factors = json::array(), responses = json::array();
     for (auto const& factor : best->factors)
-        factors.push_back(factor_of(factor));
+        factors.push_back(factor_of(factor, best->noise_inflation));
     for (auto const& response : best->responses)
         responses.push_back({{"name", response.name},
                              {"simulated", number(response.value)},
                              {"target", number(response.target)},
                              {"scale", number(response.scale)}});
-    return {{"run", best->run >= 0 ? json(best->run) : json(nullptr)},
-            {"weighted_mean_square_error", number(best->wmse)},
-            {"factors", factors},
-            {"responses", responses}};
+    return {
+        {"run", best->run >= 0 ? json(best->run) : json(nullptr)},
+        {"in_words", best->quality ? json(headline(*best->quality)) : json(nullptr)},
+        {"largest_deviation", best->quality ? number(best->quality->largest) : json(nullptr)},
+        {"root_mean_square_scales", best->quality ? number(best->quality->root_mean_square) : json(nullptr)},
+        {"targets", text(best->targets)},
+        {"weighted_mean_square_error", number(best->wmse)},
+        {"factors", factors},
+        {"responses", responses}};
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "ensemble/status/status_text.hpp"
 
+#include "demens/base/text/shell.hpp"
 #include "demens/base/words.hpp"
 #include "ensemble/progress.hpp"
 
@@ -19,13 +20,13 @@ std::string state_text(CampaignStatus const& status)
         return "running, " + status.owner;
     case CampaignState::to_diagnose:
         return fmt::format("calibrated ({}); the diagnosis of its gap goes on with: mpirun -n N demens {}",
-                           status.ended, status.file);
+                           status.ended, text::shell_word(status.file));
     case CampaignState::ended:
         return "ended: " + status.ended;
     case CampaignState::waiting:
         break;
     }
-    return "not running; go on with: mpirun -n N demens " + status.file;
+    return "not running; go on with: mpirun -n N demens " + text::shell_word(status.file);
 }
 
 std::string waves_text(CampaignStatus const& status)
@@ -87,14 +88,14 @@ std::string time_left_text(CampaignStatus const& status)
                        left.at_a_time > 1 ? fmt::format("{} runs", left.at_a_time) : "one run");
 }
 
-std::string known_text(std::optional<BestFit::Known> const& known)
+std::string known_text(std::optional<BestFit::Known> const& known, double noise_inflation)
 {
     if (!known)
         return {};
-    if (!has_interval(known->verdict))
+    if (!states_interval(known->verdict, noise_inflation))
         return fmt::format("   {}", name_of(known->verdict));
-    return fmt::format("   estimate {:.5g}, 95 % {:.4g} to {:.4g}", known->estimate, known->lower,
-                       known->upper);
+    return fmt::format("   estimate {:.5g}, 95 % {:.4g} to {:.4g}; {}", known->estimate, known->lower,
+                       known->upper, name_of(known->verdict));
 }
 
 } // namespace
@@ -103,13 +104,17 @@ std::string best_fit_text(std::optional<BestFit> const& best)
 {
     if (!best)
         return "best fit   none yet\n";
-    auto text = fmt::format("best run   weighted mean square error {:.4g}", best->wmse);
+    auto text = best->quality ? fmt::format("best run   {}; root mean square {:.3g} scales",
+                                            headline(*best->quality), best->quality->root_mean_square)
+                              : std::string("best run  ");
     if (best->run >= 0)
         text += fmt::format(" (run {})", best->run);
     text += "\n";
+    if (!best->targets.empty())
+        text += fmt::format("           {}\n", best->targets);
     for (auto const& factor : best->factors)
         text += fmt::format("           {:<28} {:>12.5g}{}\n", factor.name, factor.value,
-                            known_text(factor.known));
+                            known_text(factor.known, best->noise_inflation));
     for (auto const& response : best->responses)
         text += fmt::format("           {:<28} {:>12.5g}   target {:.5g}\n", response.name, response.value,
                             response.target);

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "ensemble/verdict.hpp"
 #include "tao_calib/wave/assessment.hpp"
 
 namespace demens::tao_calib {
+
+using ensemble::misses_targets;
 
 //! chi2 of the predicted responses, each deviation from its target in units of its noise. A response whose
 //! surrogate predicts no better than the mean of its runs counts with that mean: it can be missed, but tells
@@ -39,12 +42,6 @@ struct Estimate
 //! The minimum of chi2 on the surrogates, sought from the minima of the objective and the best locations. It
 //! differs from the former where scale and sd weigh the targets differently.
 Estimate estimate(Assessment const& assessment);
-
-//! Whether a misfit of that p value is beyond chance; not where it is not known.
-inline bool misses_targets(double p_value)
-{
-    return p_value < 0.01;
-}
 
 //! How well the targets are met together.
 struct GoodnessOfFit

@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 constexpr double close = 0.7;        // correlation from which on two factors trade off
 constexpr double worth_saying = 0.2; // share of the variance
 
-//! Responses that every experiment simulates and that are no targets.
+//! What every experiment simulates, could be measured and is no target.
 std::vector<CampaignTarget> further_responses(ensemble::CampaignInput const& input)
 {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -25,7 +25,7 @@ std::vector<CampaignTarget> further_responses(ensemble::CampaignInput const& inp
             bool const targeted =
                 std::any_of(experiment.targets.begin(), experiment.targets.end(),
                             [&](auto const& target) { return target.response_index == static_cast<int>(r); });
-            if (targeted)
+            if (targeted || response.kind != rig::ResponseKind::quantity)
                 continue;
             ensemble::Target const target{response.name, static_cast<int>(r), 0, 1, none, none};
             further.push_back(

@@ -41,12 +41,20 @@ constexpr bool has_failed(RunStatus status)
     return status != RunStatus::not_run && status != RunStatus::finished && status != RunStatus::dropped;
 }
 
+//! What a response tells of.
+enum class ResponseKind
+{
+    quantity, //!< something that can be measured
+    accuracy  //!< how well another one is known or met: nothing to measure
+};
+
 //! A scalar that a rig measures.
 struct ResponseInfo
 {
     std::string name;  //!< key in a campaign file; carries the unit
     std::string units; //!< for the `units` attribute
     std::string doc;   //!< one line
+    ResponseKind kind = ResponseKind::quantity;
 };
 
 //! Columns of equal length over the first one: the time [s] of a time series, the axis of a profile.

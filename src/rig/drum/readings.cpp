@@ -118,8 +118,8 @@ std::vector<ResponseInfo> response_infos()
     std::vector<ResponseInfo> infos;
     for (auto const& measure : measures()) {
         infos.push_back({measure.name + measure.suffix, measure.units, measure.doc});
-        infos.push_back(
-            {measure.name + "_se" + measure.suffix, measure.units, "... standard error of the value above"});
+        infos.push_back({measure.name + "_se" + measure.suffix, measure.units,
+                         "... standard error of the value above", ResponseKind::accuracy});
     }
     return infos;
 }

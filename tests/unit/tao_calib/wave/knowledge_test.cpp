@@ -107,6 +107,25 @@ TEST(Tradeoff, NamesThePairAndTheResponseThatSeparatesIt)
         << summary(stand_in.campaign);
 }
 
+TEST(Tradeoff, SuggestsNoResponseThatCannotBeMeasured)
+{
+    // As above, but what separates the pair is the standard error of something else.
+    static auto const rig = [] {
+        auto info = response_names({"sum", "constant", "difference"});
+        info.responses[2].kind = rig::ResponseKind::accuracy;
+        return info;
+    }();
+    auto const stand_in = design_of(
+        [](std::vector<double> const& f, int) {
+            return std::vector<double>{f[0] + f[1], 7, f[0] - f[1]};
+        },
+        rig, {1.0}, none);
+    Assessment const assessment(stand_in.campaign, pounders());
+    auto const pairs = tradeoffs(stand_in.campaign, assessment, factor_uncertainty(assessment, 1));
+    ASSERT_EQ(pairs.size(), 1u);
+    EXPECT_EQ(pairs[0].response, -1);
+}
+
 TEST(Tradeoff, IsNoneWhereTheTargetsDetermineTheFactors)
 {
     static auto const rig = response_names({"sum", "difference"});
