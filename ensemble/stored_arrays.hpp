@@ -132,6 +132,11 @@ inline constexpr ArrayName factor_on_bound = {
     "1",
     "by factor: -1 the estimate is on the lower bound, 1 on the upper one, 0 on none",
     {Extent::factors}};
+inline constexpr ArrayName sets = {
+    "optimum/sets",
+    "mixed",
+    "parameter sets that the targets allow, drawn as often as they are likely",
+    {Extent::any, Extent::factors}};
 inline constexpr ArrayName region_90 = {
     "optimum/region_90",
     "1",
@@ -326,6 +331,7 @@ inline constexpr std::array all_arrays = {&optimum::best_point,
                                           &optimum::factor_verdict,
                                           &optimum::factor_spread,
                                           &optimum::factor_on_bound,
+                                          &optimum::sets,
                                           &optimum::region_90,
                                           &optimum::out_of_reach,
                                           &surrogate::locations,

@@ -1,14 +1,12 @@
 #include "report/export.hpp"
 
-#include "demens/base/file_error.hpp"
-#include "demens/base/text/csv.hpp"
 #include "ensemble/session.hpp"
 #include "report/analysis.hpp"
+#include "report/handover/folder.hpp"
+#include "report/handover/handover.hpp"
 #include "report/shown_run.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
 
 #include <fmt/format.h>
 
@@ -17,49 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 namespace stored = ensemble::stored;
-
-//! In quotes where a reader could take it apart.
-std::string cell(std::string const& text)
-{
-    return text.find_first_of(",\"\n") == std::string::npos ? text : text::csv_quoted(text);
-}
-//! All digits; empty where there is no number.
-std::string cell(double value)
-{
-    return std::isnan(value) ? "" : fmt::format("{}", value);
-}
-
-//! Writes files below a folder and remembers which.
-class Folder
-{
-  public:
-    explicit Folder(fs::path folder) : folder_(std::move(folder))
-    {
-        std::error_code error;
-        fs::create_directories(folder_, error);
-        if (!fs::is_directory(folder_))
-            throw InputError(fmt::format("{} is no folder and cannot be made one ({})", folder_.string(),
-                                         error.message()));
-    }
-    void write(std::string const& name, std::string const& text)
-    {
-        auto const file = folder_ / name;
-        std::error_code ignored; // the file itself says what is wrong
-        fs::create_directories(file.parent_path(), ignored);
-        std::ofstream out(file, std::ios::binary);
-        out << text;
-        out.close();
-        if (!out)
-            throw FileError(fmt::format(
-                "{} cannot be written; give a folder that is writable and has room for it", file.string()));
-        files.push_back(file);
-    }
-
-    std::vector<fs::path> files;
-
-  private:
-    fs::path folder_;
-};
 
 void add_cell(std::string& row, std::string const& text)
 {
@@ -166,8 +121,9 @@ std::vector<fs::path> export_campaign(fs::path const& file, fs::path const& fold
         for (auto const& [name, content] : campaign.input.files())
             if (stays_below(name))
                 out.write(name, *content);
+        hand_over(out, campaign, analysis);
     }
-    return out.files;
+    return out.files();
 }
 
 } // namespace demens::report

@@ -44,6 +44,17 @@ void add_uncertainty(Arrays& arrays, Assessment const& assessment, FactorUncerta
     arrays.number(stored::optimum::region_90, known.region_90);
 }
 
+//! Draws evenly taken from all of them, which hang together in the order they were made.
+void add_sets(Arrays& arrays, UnitCube const& cube, MatrixXd const& draws)
+{
+    constexpr Eigen::Index most_sets = 200;
+    Eigen::Index const count = std::min(most_sets, draws.rows());
+    MatrixXd sets(count, cube.size());
+    for (Eigen::Index i = 0; i < count; ++i)
+        sets.row(i) = cube.to_values(draws.row(i * draws.rows() / count).transpose()).transpose();
+    arrays.matrix(stored::optimum::sets, sets);
+}
+
 void add_region(Arrays& arrays, UnitCube const& cube, ToleranceRegion const& region)
 {
     arrays.number(stored::region::by_tolerance, region.by_tolerance);
@@ -109,6 +120,7 @@ void add_knowledge(Arrays& arrays, ensemble::Campaign const& campaign, Assessmen
     add_estimate(arrays, assessment, known);
     add_uncertainty(arrays, assessment, known);
     if (known.has_support) {
+        add_sets(arrays, assessment.cube(), known.draws);
         add_region(arrays, assessment.cube(), tolerance_region(assessment, known, derive_seed(seed, 3)));
         add_tradeoffs(arrays, tradeoffs(campaign, assessment, known));
     }
