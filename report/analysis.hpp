@@ -11,6 +11,8 @@ class Analysis
 {
   public:
     explicit Analysis(ensemble::Campaign const& campaign);
+    //! That of one wave, which must outlive it.
+    explicit Analysis(ensemble::Wave const& wave) : wave_(&wave) {}
 
     //! Number of the wave, -1 when none was analysed yet.
     int wave() const { return wave_ ? wave_->number : -1; }

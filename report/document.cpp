@@ -3,6 +3,7 @@
 #include "demens/base/error.hpp"
 #include "gap/campaign/report.hpp"
 #include "report/analysis.hpp"
+#include "report/answers.hpp"
 #include "report/comparison.hpp"
 #include "report/picture.hpp"
 #include "report/shown_run.hpp"
@@ -170,6 +171,9 @@ json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of
 {
     auto const& input = campaign.input;
     Analysis const analysis(campaign);
+    auto optimum = optimum_of(analysis);
+    if (!optimum.is_null())
+        add_fit_in_words(optimum, campaign, analysis);
     return {{"name", input.name},
             {"seed", input.seed},
             {"ended", campaign.ended},
@@ -184,7 +188,9 @@ json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of
             {"history",
              {{"wmse", analysis.values(stored::history::wmse)},
               {"point_wmse", analysis.values(stored::history::point_wmse)}}},
-            {"optimum", optimum_of(analysis)},
+            {"optimum", optimum},
+            {"values", values_at_best(campaign, analysis)},
+            {"progress", progress_of(campaign)},
             {"surrogate", surrogate_of(analysis)},
             {"findings", findings_of(analysis)},
             {"screening", screening_of(analysis)},

@@ -46,15 +46,15 @@ function show_intervals(parent, optimum) {
         axes: [{orient: 'left', scale: 'y', ticks: false, domain: false, labelFontSize: 12}],
         marks: [
             mark('rect', 'rows', {x: {value: 0}, x2: {signal: 'width'}, y: middle(-6), height: {value: 12},
-                fill: {value: '#e8ecf1'}, cornerRadius: {value: 3}}),
+                fill: {value: colours.track}, cornerRadius: {value: 3}}),
             mark('rect', 'rows', {x: {scale: 'x', field: 'lower'}, x2: {scale: 'x', field: 'upper'}, y: middle(-6),
                 height: {value: 12}, fill: {field: 'colour'}, fillOpacity: {value: 0.55}, tooltip: {field: 'text'},
                 cornerRadius: {value: 3}}),
             mark('symbol', 'estimates', {x: {scale: 'x', field: 'estimate'}, y: middle(0), size: {value: 110},
                 shape: {value: 'diamond'}, stroke: {value: colours.soft}, strokeWidth: {value: 1.2},
-                fill: {value: 'white'}, tooltip: {field: 'text'}}),
+                fill: {value: colours.paper}, tooltip: {field: 'text'}}),
             mark('symbol', 'rows', {x: {scale: 'x', field: 'best'}, y: middle(0), size: {value: 90},
-                fill: {value: colours.best}, stroke: {value: 'white'}, tooltip: {field: 'text'}}),
+                fill: {value: colours.best}, stroke: {value: colours.paper}, tooltip: {field: 'text'}}),
             end('from', 'left', {value: 0}), end('to', 'right', {signal: 'width'}),
         ],
     });
@@ -74,7 +74,7 @@ function show_correlations(parent, optimum) {
         title: {text: 'Correlation between factors'},
         data: [{name: 'cells', values: cells}],
         scales: [{name: 'x', type: 'band', range: 'width', domain: names}, {name: 'y', type: 'band', range: 'height', domain: names},
-                 {name: 'colour', type: 'linear', domain: [-1, 0, 1], range: ['#3b76b8', '#ffffff', '#c65a45']}],
+                 {name: 'colour', type: 'linear', domain: [-1, 0, 1], range: ['#3b76b8', '#b9c0c8', '#c65a45']}],
         axes: [{orient: 'bottom', scale: 'x', ticks: false, domain: false, labelAngle: -35,
                 labelAlign: 'right'},
                {orient: 'left', scale: 'y', ticks: false, domain: false}],
@@ -84,7 +84,7 @@ function show_correlations(parent, optimum) {
                 tooltip: {signal: "datum.a + ', ' + datum.b + ': ' + format(datum.value, '.2f')"}}),
             mark('text', 'cells', {x: {scale: 'x', field: 'b', band: 0.5}, y: {scale: 'y', field: 'a', band: 0.5},
                 text: {signal: "format(datum.value, '.2f')"}, align: {value: 'center'}, baseline: {value: 'middle'},
-                fill: {signal: `abs(datum.value) > 0.7 ? 'white' : '${colours.ink}'`}, fontSize: {value: 12}}),
+                fill: {signal: `abs(datum.value) > 0.7 ? 'white' : '#1d2733'`}, fontSize: {value: 12}}),
         ],
     });
     parent.append(element('p', {class: 'note'}, 'Over the parameter sets that meet the targets. Near ±1: only a combination of the '

@@ -8,8 +8,8 @@ function show_fit(parent) {
     }
     const repeated = optimum.repetitions > 1 ? `, simulated ${optimum.repetitions} times with different packings` : '';
     parent.append(element('p', {},
-        `Design point ${optimum.point_number}${repeated}: weighted mean square error ${number(optimum.wmse)}, `
-        + `root mean square deviation ${number(Math.sqrt(optimum.mean_square_residual), 3)} times the targets' scales.`));
+        `Design point ${optimum.point_number}${repeated}: ${optimum.headline}; root mean square deviation `
+        + `${number(Math.sqrt(optimum.mean_square_residual), 3)} scales (weighted mean square error ${number(optimum.wmse)}, of mixed units).`));
     const columns = element('div', {class: 'columns uneven'});
     const left = element('div'), right = element('div');
     columns.append(left, right);
@@ -23,7 +23,7 @@ function show_fit(parent) {
 // By the number of the verdict.
 const verdict_styles = ['good', 'warn', 'bad', '', 'bad', 'bad', 'warn', 'bad'];
 
-const targets_missed = (optimum) => known(optimum.p_value) && optimum.p_value < 0.01;
+const targets_missed = (optimum) => optimum.missed;
 
 // Whether the targets are met together: before anything that rests on it.
 function goodness_of_fit() {
@@ -61,7 +61,7 @@ function factor_table() {
             element('td', {title: factor.path}, words_of(factor.name)),
             element('td', {}, element('b', {}, number(optimum.point[index]))),
             element('td', {}, number(optimum.estimate ? optimum.estimate[index] : null)),
-            element('td', {}, known(interval[0]) ? `${number(interval[0], 3)} to ${number(interval[1], 3)}` : '–'),
+            element('td', {}, known(interval[0]) && optimum.tells_interval[index] ? `${number(interval[0], 3)} to ${number(interval[1], 3)}` : '–'),
             element('td', {}, spread_text(factor, optimum.spread ? optimum.spread[index] : null)),
             element('td', {}, `${number(factor.lower)} to ${number(factor.upper)}`),
             element('td', {class: 'text ' + style}, verdict + bound),
@@ -109,7 +109,7 @@ function targets_out_of_reach() {
 function simple_table(heads, rows) {
     const text = (column) => rows.length > 0 && rows[0][column].classList.contains('text') ? {class: 'text'} : {};
     return element('div', {class: 'wide'}, element('table', {},
-        element('thead', {}, element('tr', {}, ...heads.map((head, column) => element('th', text(column), head)))),
+        element('thead', {}, element('tr', {}, ...heads.map((head, column) => element('th', {scope: 'col', ...text(column)}, head)))),
         element('tbody', {}, ...rows.map((cells) => element('tr', {}, ...cells)))));
 }
 
@@ -134,7 +134,7 @@ function show_deviations(parent) {
     const middle = {scale: 'y', field: 'label', band: 0.5};
     plot(parent, 'deviations', {
         width: 240, height: 46 * best.length,
-        title: {text: 'Simulated − measured, in scales'},
+        title: {text: 'Simulated less measured, in scales'},
         data: [{name: 'best', values: best}, {name: 'single', values: single},
                {name: 'predicted', values: best.filter((row) => known(row.predicted) && Math.abs(row.predicted) <= reach)}],
         scales: [linear('x', 'width', [-reach, reach], {nice: false}),
@@ -154,29 +154,41 @@ function show_deviations(parent) {
                 shape: {value: 'diamond'}, stroke: {value: colours.soft}, strokeWidth: {value: 1.2}, fill: {value: 'transparent'},
                 tooltip: {value: 'predicted at the optimum of the surrogates'}}),
             mark('symbol', 'best', {x: {scale: 'x', field: 'mean'}, y: middle, size: {value: 100}, fill: {value: colours.best},
-                stroke: {value: 'white'}, tooltip: {field: 'text'}}),
+                stroke: {value: colours.paper}, tooltip: {field: 'text'}}),
         ],
     });
     parent.append(element('p', {class: 'note'}, 'Dot: best point (mean of its runs; small dots: each run). Diamond: optimum of '
         + 'the surrogates. Shaded: tolerance. Thick line: standard deviation of the measurement, where given.'));
 }
 
+// Root mean square deviation of a design point from the targets, in scales; null where a target has no value.
+function deviation_of_point(point) {
+    const runs = calibrating_runs.filter((run) => run.point === point && run.outcome === 'finished');
+    const squares = all_targets.map((target) => {
+        const values = runs.filter((run) => run.experiment === target.experiment).map((run) => run.responses[target.response]).filter(known);
+        const mean = values.reduce((sum, value) => sum + value, 0) / values.length;
+        return ((mean - target.value) / target.scale) ** 2;
+    });
+    const mean = squares.reduce((sum, square) => sum + square, 0) / squares.length;
+    return known(mean) ? Math.sqrt(mean) : null;
+}
+
 function show_convergence(parent) {
     const last_run = new Map();
     for (const run of calibrating_runs) last_run.set(run.point, run);
-    const points = (campaign.history.point_wmse || []).map((wmse, point) => ({point, wmse, last: last_run.get(point)}))
-        .filter((row) => known(row.wmse) && row.last)
-        .map((row) => ({run: row.last.run + 1, wmse: row.wmse, purpose: row.last.purpose,
+    const points = (campaign.history.point_wmse || []).map((wmse, point) => ({point, off: known(wmse) ? deviation_of_point(point) : null, last: last_run.get(point)}))
+        .filter((row) => known(row.off) && row.last)
+        .map((row) => ({run: row.last.run + 1, off: row.off, purpose: row.last.purpose,
                         colour: purpose_colour(row.last.purpose),
-                        text: `point ${row.point} (${row.last.purpose}): ${number(row.wmse)}`}));
-    // The line has steps: the runs between two of them add nothing to it.
-    const best = (campaign.history.wmse || []).map((wmse, run) => ({run: run + 1, wmse})).filter((row) => known(row.wmse))
-        .filter((row, index, rows) => index === 0 || index === rows.length - 1 || row.wmse !== rows[index - 1].wmse);
+                        text: `point ${row.point} (${row.last.purpose}): ${number(row.off)} scales`}));
+    let least_so_far = Infinity;
+    const best = points.filter((row) => row.off < least_so_far && (least_so_far = row.off) >= 0).map(({run, off}) => ({run, off}));
+    if (best.length > 0) best.push({run: calibrating_runs.length, off: least_so_far});
     if (points.length === 0) {
         parent.append(element('p', {class: 'note'}, 'Nothing to show yet: no wave has been analysed.'));
         return;
     }
-    const all = [...points, ...best].map((row) => row.wmse).concat(campaign.stop.wmse > 0 ? [campaign.stop.wmse] : []);
+    const all = [...points, ...best].map((row) => row.off);
     const [least, most] = range_of(all);
     const positive = least > 0;
     const starts = campaign.waves.slice(1).filter((wave) => wave.runs.length > 0 && wave.runs[0].run < calibrating_runs.length)
@@ -185,27 +197,22 @@ function show_convergence(parent) {
         .concat([['best so far', colours.best]]));
     plot(parent, 'convergence', {
         width: 1000, height: 280,
-        data: [{name: 'points', values: drawn(points)}, {name: 'best', values: best}, {name: 'waves', values: starts},
-               {name: 'stop', values: campaign.stop.wmse > 0 ? [{wmse: campaign.stop.wmse}] : []}],
+        data: [{name: 'points', values: drawn(points)}, {name: 'best', values: best}, {name: 'waves', values: starts}],
         scales: [linear('x', 'width', [0, calibrating_runs.length + 1], {nice: false}),
                  positive ? logarithmic('y', 'height', [least * 0.8, most * 1.25])
                           : linear('y', 'height', extent(all))],
         axes: [axis('bottom', 'x', 'runs', {grid: false, tickCount: 10, tickMinStep: 1, format: 'd'}),
-               axis('left', 'y', 'weighted mean square error', {format: '~g', tickCount: 6})],
+               axis('left', 'y', 'root mean square deviation [scales]', {format: '~g', tickCount: 6})],
         marks: [
             mark('rule', 'waves', {x: {scale: 'x', field: 'run'}, y: {value: 0}, y2: {signal: 'height'},
-                stroke: {value: '#c5cdd6'}, strokeDash: {value: [3, 3]}}),
-            mark('rule', 'stop', {y: {scale: 'y', field: 'wmse'}, x: {value: 0}, x2: {signal: 'width'},
-                stroke: {value: colours.band}, tooltip: {value: 'stop.wmse'}}),
-            mark('text', 'stop', {y: {scale: 'y', field: 'wmse', offset: -4}, x: {signal: 'width'}, align: {value: 'right'},
-                text: {signal: "'stop at ' + format(datum.wmse, '.3~g')"}, fill: {value: colours.band}, fontSize: {value: 11}}),
-            mark('symbol', 'points', {x: {scale: 'x', field: 'run'}, y: {scale: 'y', field: 'wmse'}, size: {value: 42},
+                stroke: {value: colours.axis}, strokeDash: {value: [3, 3]}}),
+            mark('symbol', 'points', {x: {scale: 'x', field: 'run'}, y: {scale: 'y', field: 'off'}, size: {value: 42},
                 fill: {field: 'colour'}, fillOpacity: {value: 0.85}, tooltip: {field: 'text'}}),
-            mark('line', 'best', {x: {scale: 'x', field: 'run'}, y: {scale: 'y', field: 'wmse'}, stroke: {value: colours.best},
+            mark('line', 'best', {x: {scale: 'x', field: 'run'}, y: {scale: 'y', field: 'off'}, stroke: {value: colours.best},
                 strokeWidth: {value: 2}, interpolate: {value: 'step-after'}}),
         ],
     });
     parent.append(element('p', {class: 'note'}, 'Each dot is a design point at the number of its last run; dashed lines part the '
-        + 'waves. The line is the best location as known after each run: it can rise when a repetition corrects it.'
+        + 'waves. The line is the best point so far.'
         + note_of_drawn(points, 'points')));
 }

@@ -132,7 +132,7 @@ function show_signatures(parent, gap) {
         title: {text: 'Signatures: what a typical amplitude changes, over the floor (red up, blue down, full colour from 5)'},
         data: [{name: 'tiles', values}],
         scales: [{name: 'x', type: 'band', range: 'width', domain: cells}, {name: 'y', type: 'band', range: 'height', domain: effects},
-                 {name: 'colour', type: 'linear', domain: [-5, 0, 5], range: [colours.accent, '#ffffff', colours.best]}],
+                 {name: 'colour', type: 'linear', domain: [-5, 0, 5], range: ['#3b7cc4', '#b9c0c8', '#c2412d']}],
         axes: [axis('bottom', 'x', null, {grid: false, labelOverlap: false, labelAngle: -50, labelAlign: 'right', labelLimit: 200}),
                axis('left', 'y', null, {grid: false, labelOverlap: false, labelLimit: 200})],
         marks: [mark('rect', 'tiles', {x: {scale: 'x', field: 'cell'}, width: {scale: 'x', band: 1}, y: {scale: 'y', field: 'effect'}, height: {scale: 'y', band: 1},

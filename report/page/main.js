@@ -1,5 +1,5 @@
 // The page, from top to bottom. The document `campaign` has: name, file, seed, ended, stop, factors, constraints,
-// experiments, targets, warnings, waves (with their runs), history, optimum, surrogate, details (pictures, series), gap, input.
+// experiments, targets, warnings, waves (with their runs), history, optimum, values, progress, surrogate, details (pictures, series), gap, input.
 
 function show_headline() {
     section('name').textContent = campaign.name;
@@ -17,7 +17,7 @@ function show_headline() {
     const waiting = all_runs.filter((run) => run.outcome === 'waiting').length;
     const spent = campaign.waves.reduce((sum, wave) => sum + length_of(wave), 0);
     const tiles = [
-        tile(optimum ? number(optimum.wmse, 3) : '–', 'weighted mean square error', optimum ? null : 'no best fit yet'),
+        tile(optimum ? number(optimum.largest, 2) : '–', optimum ? `${optimum.yardstick}s off at most, best run` : 'no best fit yet'),
         ...(limits.length > 0 && optimum ? [tile(`${met} of ${limits.length}`, 'targets within tolerance')] : []),
         tile(String(finished_runs.length), 'runs finished', waiting > 0 ? `${waiting} still to run` : null),
         tile(String(failed_runs.length), 'runs failed'),
@@ -40,6 +40,7 @@ function show_input(parent) {
 }
 
 const parts = {
+    answers: show_answers, pairs: show_pairs, importance: show_importance, progress: show_progress,
     fit: show_fit, pictures: show_pictures, convergence: show_convergence, determination: show_determination,
     responses: show_responses, comparison: show_comparison, gap: show_gap, series: show_series, runs: show_runs, timing: show_timing, input: show_input,
 };

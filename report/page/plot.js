@@ -11,7 +11,7 @@ const plot_style = {
     font: 'Helvetica Neue, Helvetica, Arial, Liberation Sans, sans-serif',
     axis: {
         labelColor: colours.soft, labelFontSize: 11, titleColor: colours.ink, titleFontSize: 12, titleFontWeight: 'normal',
-        domainColor: '#aab4c0', tickColor: '#aab4c0', tickSize: 4, gridColor: '#edf0f4', labelFlush: false, titlePadding: 7,
+        domainColor: colours.axis, tickColor: colours.axis, tickSize: 4, gridColor: colours.track, labelFlush: false, titlePadding: 7,
     },
     legend: {labelFontSize: 12, labelColor: colours.ink, symbolSize: 70},
     title: {fontSize: 12.5, fontWeight: 600, color: colours.ink, anchor: 'start', offset: 8},
@@ -26,8 +26,13 @@ function count_marks(container) {
 
 // Draws a specification into a new element of `parent`.
 function plot(parent, name, specification) {
-    const container = element('div', {class: 'plot', 'data-plot': name});
+    const title = specification.description || (specification.title && specification.title.text)
+        || (specification.axes || []).map((one) => one.title).filter(Boolean).join(' over ') || words_of(name);
+    const container = element('div', {class: 'plot', 'data-plot': name, role: 'img', 'aria-label': 'Plot: ' + title});
     parent.append(container);
+    // On a phone a plot is drawn narrower, not shrunk: its letters stay readable.
+    const room = document.documentElement.clientWidth - 130;
+    if (specification.width > room && room > 0) specification = {...specification, width: Math.max(160, room)};
     const view = new vega.View(vega.parse({autosize: 'pad', padding: 4, ...specification}, plot_style),
                                {renderer: 'svg', container, hover: true});
     pending_plots.push(view.runAsync().then(() => {
@@ -39,7 +44,13 @@ function plot(parent, name, specification) {
 // Shorthand for the pieces that most plots have.
 const linear = (name, range, domain, more = {}) => ({name, type: 'linear', range, domain, nice: true, zero: false, ...more});
 const logarithmic = (name, range, domain) => ({name, type: 'log', range, domain, nice: true});
-const axis = (orient, scale, title, more = {}) => ({orient, scale, title, grid: true, tickCount: 5, labelOverlap: true, ...more});
+// '~g' is numbers as people write them: 25,000 and not 2.5e+4.
+const plain_labels = {labels: {update: {text: {
+    signal: "abs(datum.value) >= 1e4 && abs(datum.value) < 1e7 ? format(datum.value, ',') : format(datum.value, '~g')"}}}};
+function axis(orient, scale, title, {format, ...more} = {}) {
+    const labels = format === '~g' ? {encode: plain_labels} : format ? {format} : {};
+    return {orient, scale, title, grid: true, tickCount: 5, labelOverlap: true, ...labels, ...more};
+}
 const mark = (type, data, encode, more = {}) => ({type, from: data && {data}, encode: {update: encode}, ...more});
 
 function extent(values, margin = 0.05) {

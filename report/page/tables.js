@@ -31,7 +31,7 @@ function show_runs(parent) {
     if (failed_runs.length > 0) parent.append(list_of_failures());
     const columns = run_columns();
     const body = element('tbody');
-    const heads = columns.map((column) => element('th', column.text ? {class: 'text'} : {}, column.head));
+    const heads = columns.map((column) => element('th', {scope: 'col', tabindex: '0', 'aria-sort': 'none', ...(column.text ? {class: 'text'} : {})}, column.head));
     const line_of = (run) => element('tr',
         {class: run.outcome === 'finished' && is_best(run) ? 'best' : run.outcome, title: run.reason},
         ...columns.map((column) => {
@@ -55,12 +55,21 @@ function show_runs(parent) {
         add();
     };
     more.addEventListener('click', add);
-    heads.forEach((head, index) => head.addEventListener('click', () => {
-        const down = head.dataset.order === 'up';
-        heads.forEach((other) => delete other.dataset.order);
+    const sort_by = (index) => {
+        const head = heads[index], down = head.dataset.order === 'up';
+        heads.forEach((other) => { delete other.dataset.order; other.setAttribute('aria-sort', 'none'); });
         head.dataset.order = down ? 'down' : 'up';
+        head.setAttribute('aria-sort', down ? 'descending' : 'ascending');
         fill(sorted_by(columns[index], down));
-    }));
+    };
+    heads.forEach((head, index) => {
+        head.addEventListener('click', () => sort_by(index));
+        head.addEventListener('keydown', (event) => {
+            if (event.key !== 'Enter' && event.key !== ' ') return;
+            event.preventDefault();
+            sort_by(index);
+        });
+    });
     fill(all_runs);
     parent.append(element('p', {class: 'note'}, (failed_runs.length > 0 ? 'Red: failed, kept out of all fits. ' : '')
         + 'Green: best point. Click on a column to sort by it.'));

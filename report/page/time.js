@@ -84,7 +84,7 @@ function show_timing(parent) {
                {orient: 'left', scale: 'y', title: 'group', ticks: false, domain: false, labelOverlap: true}],
         marks: [
             mark('rect', 'bars', {x: {scale: 'x', field: 'start'}, x2: {scale: 'x', field: 'end'}, y: {scale: 'y', field: 'group'},
-                height: {scale: 'y', band: 1}, fill: {field: 'colour'}, fillOpacity: {value: 0.8}, stroke: {value: 'white'},
+                height: {scale: 'y', band: 1}, fill: {field: 'colour'}, fillOpacity: {value: 0.8}, stroke: {value: colours.paper},
                 strokeWidth: {value: 0.6}, tooltip: {field: 'text'}}),
             mark('rule', 'borders', {x: {scale: 'x', field: 'time'}, y: {value: -4}, y2: {signal: 'height + 4'},
                 stroke: {value: colours.soft}, strokeDash: {value: [3, 3]}}),

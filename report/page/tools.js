@@ -5,9 +5,11 @@ const campaign = JSON.parse(document.getElementById('document').textContent);
 for (const wave of campaign.waves)
     wave.runs = wave.runs.rows.map((row) => Object.fromEntries(wave.runs.keys.map((key, place) => [key, row[place]])));
 
+// Those that follow the page into the dark are variables of its style.
 const colours = {
-    ink: '#1d2733', soft: '#5d6b7a', line: '#dde3ea', accent: '#1f5fa8', best: '#c2412d', band: '#2f7d4f', failed: '#d9534a',
-    design: '#8b9db3', screening: '#a58fc2', search: '#1f5fa8', confirmation: '#c98a1b', signatures: '#6b9c8a', closure: '#2f7d4f',
+    ink: 'var(--ink)', soft: 'var(--soft)', line: 'var(--line)', paper: 'var(--paper)', track: 'var(--track)', axis: 'var(--axis)',
+    accent: '#3b7cc4', best: '#c2412d', band: '#3a9160', failed: '#d9534a',
+    design: '#8b9db3', screening: '#a58fc2', search: '#3b7cc4', confirmation: '#c98a1b', signatures: '#6b9c8a', closure: '#2f7d4f',
 };
 const purpose_colour = (purpose) => colours[purpose] || colours.accent;
 
@@ -42,7 +44,7 @@ function number(value, digits = 4) {
     const rounded = Number(value.toPrecision(digits));
     const size = Math.abs(rounded);
     if (size !== 0 && (size < 1e-4 || size >= 1e7)) return rounded.toExponential();
-    return String(rounded).replace('-', '−');
+    return String(rounded);
 }
 
 function signed(value, digits = 3) {
