@@ -1,90 +1,16 @@
 #include "demens/observe/vtk_frames.hpp"
 
 #include "demens/base/error.hpp"
+#include "src/observe/contact_numbers.hpp"
+#include "src/observe/poly_data.hpp"
 
+#include <algorithm>
 #include <array>
-#include <bit>
-#include <cstdint>
 #include <fmt/format.h>
-#include <fstream>
 
 namespace demens::observe {
 
-static_assert(std::endian::native == std::endian::little, "the files say LittleEndian");
-
 namespace {
-
-//! An XML PolyData file with its arrays as raw bytes at the end (VTK file formats, "appended" data).
-class PolyData
-{
-  public:
-    PolyData(std::size_t points, double time) : points_(points), time_(time) {}
-
-    void set_points(std::vector<float> const& xyz) { points_xml_ = array("Points", 3, xyz); }
-    void add_point_data(std::string const& name, int components, std::vector<float> const& values)
-    {
-        point_data_xml_ += array(name, components, values);
-    }
-    void add_numbers(std::string const& name, std::vector<std::int64_t> const& values)
-    {
-        point_data_xml_ += array(name, 1, values);
-    }
-    //! `kind` is Verts or Polys; cell i has the points from end i - 1 to end i.
-    void set_cells(std::string const& kind, std::vector<std::int64_t> const& connectivity,
-                   std::vector<std::int64_t> const& ends)
-    {
-        cells_ = ends.size();
-        cells_kind_ = kind;
-        cells_xml_ = array("connectivity", 1, connectivity) + array("offsets", 1, ends);
-    }
-    void write(std::filesystem::path const& file) const;
-
-  private:
-    template <typename T>
-    std::string array(std::string const& name, int components, std::vector<T> const& values)
-    {
-        std::uint64_t const offset = bytes_.size(), length = values.size() * sizeof(T);
-        append(&length, sizeof(length));
-        append(values.data(), length);
-        return fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
-                           "offset=\"{}\"/>\n",
-                           sizeof(T) == 4 ? "Float32" : "Int64", name, components, offset);
-    }
-    void append(void const* data, std::size_t size) { bytes_.append(static_cast<char const*>(data), size); }
-
-    std::size_t points_, cells_ = 0;
-    double time_;
-    std::string points_xml_, point_data_xml_, cells_kind_, cells_xml_;
-    std::string bytes_;
-};
-
-void write_file(std::filesystem::path const& file, std::string const& content)
-{
-    std::ofstream out(file, std::ios::binary);
-    out.write(content.data(), static_cast<std::streamsize>(content.size()));
-    out.close();
-    if (!out)
-        throw InputError(
-            fmt::format("{}: a frame cannot be written; give a folder that is writable and has room "
-                        "for it ({} bytes)",
-                        file.string(), content.size()));
-}
-
-void PolyData::write(std::filesystem::path const& file) const
-{
-    std::string const count = fmt::format("NumberOf{}=\"{}\"", cells_kind_, cells_);
-    write_file(
-        file, fmt::format(
-                  "<?xml version=\"1.0\"?>\n"
-                  "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-                  "header_type=\"UInt64\">\n<PolyData>\n"
-                  "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-                  "format=\"ascii\">{}</DataArray></FieldData>\n"
-                  "<Piece NumberOfPoints=\"{}\" {}>\n<Points>\n{}</Points>\n<PointData>\n{}</PointData>\n"
-                  "<{}>\n{}</{}>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_",
-                  time_, points_, count, points_xml_, point_data_xml_, cells_kind_, cells_xml_, cells_kind_) +
-                  bytes_ + "\n</AppendedData>\n</VTKFile>\n");
-}
 
 std::vector<float> interleaved(std::vector<double> const& x, std::vector<double> const& y,
                                std::vector<double> const& z)
@@ -102,20 +28,52 @@ PolyData particles_of(Snapshot const& snapshot)
     std::size_t const count = snapshot.x.size();
     PolyData data(count, snapshot.time);
     data.set_points(interleaved(snapshot.x, snapshot.y, snapshot.z));
-    data.add_point_data("radius", 1, {snapshot.radius.begin(), snapshot.radius.end()});
+    data.add_point_data("radius", 1, std::vector<float>(snapshot.radius.begin(), snapshot.radius.end()));
     if (snapshot.vx.size() == count)
         data.add_point_data("velocity", 3, interleaved(snapshot.vx, snapshot.vy, snapshot.vz));
     if (snapshot.wx.size() == count)
         data.add_point_data("angular_velocity", 3, interleaved(snapshot.wx, snapshot.wy, snapshot.wz));
     if (!snapshot.grain.empty())
-        data.add_numbers("grain", snapshot.grain);
+        data.add_point_data("grain", 1, snapshot.grain);
+    if (snapshot.fx.size() == count)
+        data.add_point_data("force", 3, interleaved(snapshot.fx, snapshot.fy, snapshot.fz));
+    if (snapshot.mass.size() == count)
+        data.add_point_data("mass", 1, std::vector<float>(snapshot.mass.begin(), snapshot.mass.end()));
+    if (snapshot.material.size() == count)
+        data.add_point_data("material", 1,
+                            std::vector<std::int64_t>(snapshot.material.begin(), snapshot.material.end()));
+    data.add_point_data("contacts", 1, contact_numbers(snapshot));
     std::vector<std::int64_t> points(count), ends(count);
     for (std::size_t i = 0; i < count; ++i) {
         points[i] = static_cast<std::int64_t>(i);
         ends[i] = points[i] + 1;
     }
+    data.add_point_data("id", 1, points);
     data.set_cells("Verts", points, ends);
     return data;
+}
+
+//! A box of a wall cut to the particles with room around them, where it is endless: reaches beyond a
+//! kilometre.
+std::array<double, 6> cut(std::array<double, 6> wall, Snapshot const& snapshot)
+{
+    constexpr double endless = 1e3; // [m]
+    std::array<std::vector<double> const*, 3> const columns = {&snapshot.x, &snapshot.y, &snapshot.z};
+    if (snapshot.x.empty())
+        return wall;
+    double size = 2 * *std::max_element(snapshot.radius.begin(), snapshot.radius.end());
+    for (auto const* column : columns) {
+        auto const [least, most] = std::minmax_element(column->begin(), column->end());
+        size = std::max(size, *most - *least);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (wall[axis + 3] - wall[axis] < endless)
+            continue;
+        auto const [least, most] = std::minmax_element(columns[axis]->begin(), columns[axis]->end());
+        wall[axis] = std::max(wall[axis], *least - size);
+        wall[axis + 3] = std::min(wall[axis + 3], *most + size);
+    }
+    return wall;
 }
 
 //! The faces of axis-aligned boxes; of a flat box, the one face that it is. Then the triangles of other
@@ -124,7 +82,8 @@ PolyData walls_of(Snapshot const& snapshot)
 {
     std::vector<float> corners;
     std::vector<std::int64_t> faces, ends;
-    for (auto const& wall : snapshot.walls) {
+    for (auto const& whole : snapshot.walls) {
+        auto const wall = cut(whole, snapshot);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             std::size_t const u = (axis + 1) % 3, v = (axis + 2) % 3;
             if (wall[u] == wall[u + 3] || wall[v] == wall[v + 3])
@@ -172,6 +131,11 @@ VtkFrames::VtkFrames(std::filesystem::path folder) : folder_(std::move(folder))
         throw InputError(
             fmt::format("{}: not a folder and cannot be made one ({}); frames need a folder of their own",
                         folder_.string(), error.message()));
+    // Frames of an earlier call would be shown with the new ones.
+    for (char const* name : {"particles", "walls"})
+        for (std::size_t frame = 0; std::filesystem::remove(folder_ / frame_name(name, frame), error);
+             ++frame)
+            ;
 }
 
 void VtkFrames::write(Snapshot const& snapshot)
@@ -189,7 +153,7 @@ void VtkFrames::write_collection(std::string const& name) const
     for (std::size_t frame = 0; frame < times_.size(); ++frame)
         entries +=
             fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", times_[frame], frame_name(name, frame));
-    write_file(
+    write_frame_file(
         folder_ / (name + ".pvd"),
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
         "<Collection>\n" +

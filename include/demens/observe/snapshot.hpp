@@ -10,11 +10,13 @@ namespace demens::observe {
 //! Particles at one moment, for pictures and files.
 struct Snapshot
 {
-    std::string name;                    //!< "settled", "final", ...
-    double time = 0;                     //!< [s]
-    std::vector<double> x, y, z, radius; //!< [m]
-    std::vector<double> vx, vy, vz;      //!< [m/s]; empty where they were not kept
-    std::vector<double> wx, wy, wz;      //!< [rad/s]; empty where they were not kept
+    std::string name;                                         //!< "settled", "final", ...
+    double time = 0;                                          //!< [s]
+    std::vector<double> x, y, z, radius;                      //!< [m]
+    std::vector<double> vx, vy, vz;                           //!< [m/s]; empty where they were not kept
+    std::vector<double> wx, wy, wz;                           //!< [rad/s]; empty where they were not kept
+    std::vector<double> fx = {}, fy = {}, fz = {}, mass = {}; //!< [N], [kg]; for frames, else empty
+    std::vector<std::uint32_t> material = {};                 //!< its number; for frames, else empty
     //! Number of the grain of each, where grains are made of several spheres; for frames, not kept in a
     //! campaign file.
     std::vector<std::int64_t> grain = {};

@@ -82,12 +82,18 @@ Snapshot take_snapshot(dem::Simulation& simulation, std::string name)
     snapshot.time = simulation.time();
     for (auto* column : columns_of(snapshot))
         column->resize(n);
+    for (auto* column : {&snapshot.fx, &snapshot.fy, &snapshot.fz, &snapshot.mass})
+        column->resize(n);
+    snapshot.material.resize(n);
     for (std::size_t k = 0; k < n; ++k) {
         auto const id = particles.id(k).value;
         dem::Place const& p = particles.place(k);
         Vector3 const v = particles.velocity(k), w = particles.spin(k);
         snapshot.x[id] = p.x, snapshot.y[id] = p.y, snapshot.z[id] = p.z, snapshot.radius[id] = p.radius;
         snapshot.vx[id] = v.x, snapshot.vy[id] = v.y, snapshot.vz[id] = v.z;
+        Vector3 const f = particles.force(k);
+        snapshot.fx[id] = f.x, snapshot.fy[id] = f.y, snapshot.fz[id] = f.z;
+        snapshot.mass[id] = particles.mass(k), snapshot.material[id] = particles.material(k).value;
         snapshot.wx[id] = w.x, snapshot.wy[id] = w.y, snapshot.wz[id] = w.z;
     }
     if (simulation.counts().particles < n)

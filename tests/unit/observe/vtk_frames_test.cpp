@@ -33,27 +33,38 @@ class VtkFramesTest : public testing::Test
     std::filesystem::path folder;
 };
 
-//! Reads an appended array as the VTK file format describes it: length as 64 bits, then the values.
+//! Reads an array as the VTK file format describes it: base64 of the length as 64 bits and the values.
 template <typename T>
 std::vector<T> array_of(std::string const& file, std::string const& name)
 {
     std::smatch match;
-    std::string const xml = file.substr(0, file.find("<AppendedData"));
-    if (!std::regex_search(xml, match, std::regex("Name=\"" + name + "\"[^>]*offset=\"(\\d+)\"")))
+    if (!std::regex_search(file, match,
+                           std::regex("Name=\"" + name + "\"[^>]*format=\"binary\">\\s*([A-Za-z0-9+/=]*)")))
         return {};
-    std::size_t const data = file.find('_', xml.size()) + 1 + std::stoul(match[1]);
+    std::string const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/",
+                      text = match[1];
+    std::string bytes;
+    unsigned word = 0;
+    int bits = 0;
+    for (char const c : text) {
+        if (c == '=')
+            break;
+        word = word << 6 | static_cast<unsigned>(digits.find(c));
+        if ((bits += 6) >= 8)
+            bytes += static_cast<char>(word >> (bits -= 8) & 255);
+    }
     std::uint64_t length = 0;
-    std::memcpy(&length, file.data() + data, sizeof(length));
+    std::memcpy(&length, bytes.data(), sizeof(length));
+    EXPECT_EQ(bytes.size(), sizeof(length) + length) << name;
     std::vector<T> values(length / sizeof(T));
-    std::memcpy(values.data(), file.data() + data + sizeof(length), length);
+    std::memcpy(values.data(), bytes.data() + sizeof(length), length);
     return values;
 }
 
 int attribute(std::string const& file, std::string const& name)
 {
     std::smatch match;
-    std::string const xml = file.substr(0, file.find("<AppendedData"));
-    return std::regex_search(xml, match, std::regex(name + "=\"(\\d+)\"")) ? std::stoi(match[1]) : -1;
+    return std::regex_search(file, match, std::regex(name + "=\"(\\d+)\"")) ? std::stoi(match[1]) : -1;
 }
 
 Snapshot two_particles();
@@ -96,6 +107,47 @@ TEST_F(VtkFramesTest, particles_are_read_back)
     EXPECT_EQ(array_of<float>(file, "angular_velocity"), (std::vector<float>{-1, -3, -5, -2, -4, -6}));
     EXPECT_EQ(array_of<std::int64_t>(file, "connectivity"), (std::vector<std::int64_t>{0, 1}));
     EXPECT_EQ(array_of<std::int64_t>(file, "offsets"), (std::vector<std::int64_t>{1, 2}));
+}
+
+TEST_F(VtkFramesTest, particles_have_ids_masses_materials_forces_and_contacts)
+{
+    VtkFrames frames(folder);
+    auto snapshot = two_particles();
+    snapshot.x = {1, 1.7}, snapshot.y = {0, 0}, snapshot.z = {0, 0}; // radii .5 and .25
+    snapshot.mass = {2, 3}, snapshot.material = {1, 0};
+    snapshot.fx = {1, 2}, snapshot.fy = {3, 4}, snapshot.fz = {5, 6};
+    frames.write(snapshot);
+    auto const file = content("particles_000000.vtp");
+    EXPECT_EQ(array_of<std::int64_t>(file, "id"), (std::vector<std::int64_t>{0, 1}));
+    EXPECT_EQ(array_of<std::int64_t>(file, "material"), (std::vector<std::int64_t>{1, 0}));
+    EXPECT_EQ(array_of<std::int64_t>(file, "contacts"), (std::vector<std::int64_t>{1, 1}));
+    EXPECT_EQ(array_of<float>(file, "mass"), (std::vector<float>{2, 3}));
+    EXPECT_EQ(array_of<float>(file, "force"), (std::vector<float>{1, 3, 5, 2, 4, 6}));
+}
+
+TEST_F(VtkFramesTest, a_plane_without_an_end_is_cut_to_the_scene)
+{
+    VtkFrames frames(folder);
+    auto snapshot =
+        two_particles(); // within 1 to 2, 3 to 4, 5 to 6; the largest sphere and the extent are 1 m
+    snapshot.walls = {{-1e6, -1e6, 0, 1e6, 1e6, 0}};
+    frames.write(snapshot);
+    EXPECT_EQ(array_of<float>(content("walls_000000.vtp"), "Points"),
+              (std::vector<float>{0, 2, 0, 3, 2, 0, 3, 5, 0, 0, 5, 0}));
+}
+
+TEST_F(VtkFramesTest, frames_of_an_earlier_call_are_replaced)
+{
+    {
+        VtkFrames frames(folder);
+        for (int k = 0; k < 3; ++k)
+            frames.write(two_particles());
+    }
+    VtkFrames frames(folder);
+    frames.write(two_particles());
+    EXPECT_TRUE(std::filesystem::exists(folder / "particles_000000.vtp"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "particles_000001.vtp"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "walls_000002.vtp"));
 }
 
 TEST_F(VtkFramesTest, a_floor_is_one_face_and_a_cube_six)

@@ -98,7 +98,7 @@ class ProgrammeRun
 //! Runs a programme to its end, with what the caller wants meanwhile. \throws RunInterrupted
 RunResult run_programme(Programme programme, RunHooks const& hooks);
 
-//! Particles and walls now, in the order of their ids.
+//! Particles and walls now, in the order of their ids; forces, masses and materials too.
 Snapshot take_snapshot(dem::Simulation& simulation, std::string name);
 
 } // namespace demens::rig
