@@ -1,8 +1,10 @@
 // The one list of what responses look at.
 #include "src/rig/custom/quantities.hpp"
 
+#include "demens/base/error.hpp"
 #include "demens/observe/segregation.hpp"
-#include "demens/observe/surface.hpp"
+#include "src/rig/custom/surfaces.hpp"
+#include "src/rig/kinds.hpp"
 #include "src/rig/option_specs.hpp"
 
 #include <algorithm>
@@ -25,13 +27,6 @@ double part_of(Vector3 const& v, Component component)
 double part_of(double number, Component)
 {
     return number;
-}
-
-Vector3 unit_vector(Component component)
-{
-    Vector3 unit;
-    unit.*component = 1;
-    return unit;
 }
 
 // Readers that are made of a property of particles: of (all, number), e.g. a member of `StateView`.
@@ -135,48 +130,25 @@ double segregation(Sight const& sight)
     return sum.intensity();
 }
 
-//! Outline of the selected particles: the spheres that they are made of, in upright coordinates.
-std::vector<dem::Place> upright_places(Sight const& sight, Upright const& upright)
+//! Along an axis, from the outermost point of one particle to that of another.
+double extent(Sight const& sight)
 {
-    std::vector<dem::Place> places;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
     for_each(sight.look, sight.look.particles(), sight.plan.selection,
              [&](dem::StateView const& all, std::size_t k) {
-                 auto const p = upright.upright(all.position(k));
-                 places.push_back({p.x, p.y, p.z, all.radius(k)});
+                 double const at = part_of(all.position(k), sight.plan.component);
+                 least = std::min(least, at - all.radius(k)), most = std::max(most, at + all.radius(k));
              });
-    return places;
+    return most > least ? most - least : not_given;
 }
 
-observe::SurfaceMap surface_of(Sight const& sight)
+//! The reading of another response at the same moment.
+double reading_of(Sight const& sight, std::string const& name)
 {
-    return observe::surface_map(upright_places(sight, sight.setup.upright), sight.plan.cell);
-}
-
-//! Upper edge of the selected particles as seen from the side, between the outermost centres.
-observe::SurfaceProfile edge_of(Sight const& sight)
-{
-    auto const places =
-        upright_places(sight, Upright(sight.setup.options.gravity, unit_vector(sight.plan.component)));
-    if (places.empty())
-        return {};
-    auto const [first, last] = std::minmax_element(places.begin(), places.end(),
-                                                   [](auto const& a, auto const& b) { return a.x < b.x; });
-    double const from = first->x, to = last->x;
-    int const points = std::max(1, static_cast<int>(std::min(1e5, (to - from) / sight.plan.cell)));
-    return observe::surface_profile(places, from, to, points, [](dem::Place const&) { return true; });
-}
-
-double profile_angle(Sight const& sight)
-{
-    constexpr double endless = std::numeric_limits<double>::infinity();
-    auto const edge = edge_of(sight);
-    auto const line = observe::fit_line(edge.x, edge.z, -endless, endless);
-    return line.points < 3 ? not_given : line.angle_deg();
-}
-
-ProfileReading::Points points_of(observe::SurfaceProfile profile)
-{
-    return {std::move(profile.x), std::move(profile.z)};
+    for (auto const& other : sight.setup.responses)
+        if (other.name == name)
+            return other.quantity->read({sight.look, other, sight.setup});
+    return not_given;
 }
 
 // What cannot be read off the particles that a response looks at.
@@ -210,6 +182,26 @@ void check_axis(ResponsePlan const& response, OptionValues const& experiment,
                                      word_for(components, response.component)));
 }
 
+//! What a reading is made of two others can be made of.
+void check_readings(ResponsePlan const& response, OptionValues const& experiment,
+                    std::vector<ParticleGroup> const&)
+{
+    std::string units;
+    for (auto const& name : {response.first, response.second})
+        for (auto const& other : experiment.tables("response")) {
+            if (other.text("name") != name)
+                continue;
+            auto const& quantity = kind_named(quantities(), other.text("quantity"));
+            if (other.has("first"))
+                throw InputError(
+                    fmt::format("{} is made of other readings itself; name what it is made of", name));
+            if (!units.empty() && units != quantity.units)
+                throw InputError(fmt::format("{} [{}] and {} [{}] are not of the same kind", response.first,
+                                             units, name, quantity.units));
+            units = quantity.units;
+        }
+}
+
 std::vector<std::string> ledger_terms()
 {
     std::vector<std::string> terms;
@@ -240,6 +232,15 @@ std::vector<Quantity> make_quantities()
     auto const group = required(entry("of", "particles", "group whose share of the mass is looked at"));
     auto const cube =
         required(number("cell_mm", 0, "side of the cubes in which the share is taken [mm]", positive));
+    auto const first = required(entry("first", "response", "a response of this experiment")),
+               second = required(entry("second", "response", "another one, of the same unit"));
+    auto const difference = [](Sight const& s) {
+        return reading_of(s, s.plan.first) - reading_of(s, s.plan.second);
+    };
+    auto const mean = [](Sight const& s) {
+        return 0.5 * (reading_of(s, s.plan.first) + reading_of(s, s.plan.second));
+    };
+    auto const across = choice("axis", {"x", "y", "z"}, "along which it is measured");
     auto const one = [](View const&, std::size_t) { return 1.0; };
     auto const energy = [](Sight const& s) { return s.look.simulation().energy().*s.plan.term; };
     auto const height = [](Sight const& s) { return surface_of(s).mean_height(); };
@@ -291,6 +292,26 @@ std::vector<Quantity> make_quantities()
          profile_angle,
          check_axis,
          edge},
+        {{"flank_angle",
+          "slope of a heap's flanks without toe and tip, unsigned, mean of those that there are",
+          {region, of, along, column}},
+         "deg",
+         flank_angle,
+         check_axis,
+         edge},
+        {{"extent", "extent of particles along an axis, their radii included", {region, of, across}},
+         "m",
+         extent},
+        {.keys = {"difference", "reading of one response less that of another", {first, second}},
+         .units = "",
+         .read = difference,
+         .check = check_readings,
+         .reads_loads = true},
+        {.keys = {"mean_of", "mean of the readings of two responses", {first, second}},
+         .units = "",
+         .read = mean,
+         .check = check_readings,
+         .reads_loads = true},
         {{"segregation", "intensity of segregation of a group (Danckwerts 1952)", {region, group, cube}},
          "1",
          segregation}};

@@ -19,10 +19,20 @@ Quantity const& quantity_of(OptionValues const& o)
     return kind_named(quantities(), o.text("quantity"));
 }
 
+//! Those of what is looked at; what is made of two other readings has those of the first.
+std::string units_of(OptionValues const& o, OptionValues const& experiment)
+{
+    if (o.has("first"))
+        for (auto const& other : experiment.tables("response"))
+            if (other.text("name") == o.text("first"))
+                return quantity_of(other).units;
+    return quantity_of(o).units;
+}
+
 std::string doc_of(OptionValues const& o)
 {
     auto text = quantity_of(o).keys.doc;
-    for (char const* key : {"of", "region", "wall"})
+    for (char const* key : {"of", "region", "wall", "first", "second"})
         if (o.has(key) && !o.text(key).empty())
             text += fmt::format(", {} {}", key, o.text(key));
     for (char const* key : {"axis", "term"})
@@ -45,6 +55,7 @@ ResponsePlan read_response(OptionValues const& o, OptionValues const& experiment
 {
     auto const& stages = experiment.tables("stage");
     ResponsePlan response{.name = o.text("name"),
+                          .units = units_of(o, experiment),
                           .quantity = &quantity_of(o),
                           .selection = o.has("of") ? read_selection(o, experiment, regions) : Selection{},
                           .component = o.has("axis") ? read_component(o.text("axis")) : nullptr,
@@ -52,6 +63,8 @@ ResponsePlan read_response(OptionValues const& o, OptionValues const& experiment
                           .wall =
                               o.has("wall") ? position_of(experiment.tables("wall"), o.text("wall"), 0) : 0,
                           .about = {},
+                          .first = o.has("first") ? o.text("first") : "",
+                          .second = o.has("second") ? o.text("second") : "",
                           .cell = o.has("cell_mm") ? 1e-3 * o.number("cell_mm") : 0,
                           .stage = position_of(stages, o.text("stage"), stages.size() - 1),
                           .take = &take_named(o.text("take")),
@@ -102,14 +115,16 @@ TableSpec response_table()
     return {
         .key = "response",
         .doc = "what is read off again and again, and the one number that is made of it",
-        .options =
-            {required_word("name", "its name, for targets; it should carry the unit"),
-             entry("stage", "stage", "over which stage; empty: the last one"),
-             choice("take", words,
-                    "what is made of its course: its last value, mean, standard deviation, smallest or "
-                    "largest value, last less first, slope of the line through it [1/s], or the time from "
-                    "the beginning of the stage until it is above or below the threshold [s]"),
-             number("threshold", not_given, "in the unit of the quantity")},
+        .options = {required_word("name", "its name, for targets; it should carry the unit"),
+                    entry("stage", "stage", "over which stage; empty: the last one"),
+                    choice(
+                        "take", words,
+                        "what is made of its course: its last value, mean, standard deviation, smallest or "
+                        "largest value, last less first, slope of the line through it [1/s] or through the "
+                        "part from a fifth to four fifths of its "
+                        "change, or the time from "
+                        "the beginning of the stage until it is above or below the threshold [s]"),
+                    number("threshold", not_given, "in the unit of the quantity")},
         .kind_key = "quantity",
         .kinds = std::move(kinds)};
 }
@@ -119,7 +134,7 @@ std::vector<ResponseInfo> asked_responses(OptionValues const& experiment)
     std::vector<ResponseInfo> infos;
     for (auto const& o : experiment.tables("response"))
         infos.push_back(
-            {o.text("name"), take_named(o.text("take")).units_for(quantity_of(o).units), doc_of(o)});
+            {o.text("name"), take_named(o.text("take")).units_for(units_of(o, experiment)), doc_of(o)});
     return infos;
 }
 
@@ -139,7 +154,7 @@ std::vector<Reading> readings(Setup const& setup)
 {
     std::vector<Reading> all;
     for (auto const& response : setup.responses)
-        all.push_back({response.name, response.quantity->units, response.quantity->keys.doc, [&](Look& look) {
+        all.push_back({response.name, response.units, response.quantity->keys.doc, [&](Look& look) {
                            return response.quantity->read({look, response, setup});
                        }});
     return all;

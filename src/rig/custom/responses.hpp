@@ -22,12 +22,14 @@ std::vector<ResponseInfo> asked_responses(OptionValues const& experiment);
 struct ResponsePlan
 {
     std::string name;
+    std::string units; //!< of the reading
     Quantity const* quantity;
     Selection selection;
     Component component;             //!< of a profile: along which axis
     double dem::EnergyLedger::*term; //!< of the energy ledger; null: of none
     std::size_t wall;                //!< of a force or torque
     std::optional<Vector3> about;    //!< a torque is counted about it [m]; none: the wall's centre
+    std::string first, second;       //!< responses whose readings it is made of
     double cell;                     //!< side of a cell [m]
     std::size_t stage;
     Take const* take;

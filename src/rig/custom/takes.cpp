@@ -29,12 +29,40 @@ double standard_deviation(Course const& course)
     return std::sqrt(squares);
 }
 
+//! When the threshold is passed, on the straight line between the moments before and after it.
 template <class Passes>
 double time_until(Course const& course, Passes const& passes)
 {
     auto const found = std::find_if(course.values.begin(), course.values.end(), passes);
-    auto const number = static_cast<std::size_t>(found - course.values.begin());
-    return found == course.values.end() ? none : course.times[number] - course.begin;
+    if (found == course.values.end())
+        return none;
+    auto const k = static_cast<std::size_t>(found - course.values.begin());
+    double const after = course.times[k] - course.begin;
+    if (k == 0)
+        return after;
+    double const before = course.times[k - 1] - course.begin,
+                 share =
+                     (course.threshold - course.values[k - 1]) / (course.values[k] - course.values[k - 1]);
+    return before + share * (after - before);
+}
+
+//! Slope between the moments at which a fifth and four fifths of the change are done: without start and tail.
+double steady_rate(Course const& course)
+{
+    double const first = course.values.front(), change = course.values.back() - first;
+    auto const done = [&](std::size_t k) { return (course.values[k] - first) / change; };
+    std::size_t begin = 0, end = course.values.size();
+    while (begin < end && !(done(begin) >= 0.2))
+        ++begin;
+    while (end > begin && !(done(end - 1) <= 0.8))
+        --end;
+    if (end - begin < 2)
+        return none;
+    auto const part = [&](std::vector<double> const& all) {
+        return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(begin),
+                                   all.begin() + static_cast<std::ptrdiff_t>(end));
+    };
+    return observe::fit_line(part(course.times), part(course.values)).slope;
 }
 
 } // namespace
@@ -54,6 +82,7 @@ std::vector<Take> const& takes()
              return c.values.size() < 2 ? none : observe::fit_line(c.times, c.values).slope;
          },
          rate},
+        {"steady_rate", steady_rate, rate},
         {"time_above",
          [](Course const& c) { return time_until(c, [&](double value) { return value > c.threshold; }); },
          time},

@@ -15,9 +15,16 @@ namespace {
 
 PlannedMotion read_motion(OptionValues const& o, std::vector<OptionValues> const& stages)
 {
+    auto const& during = o.text("during_stage");
+    for (char const* key : {"from_stage", "until_stage"})
+        if (!during.empty() && !o.text(key).empty())
+            throw InputError(
+                fmt::format("during_stage = \"{}\" says when it begins and ends; leave out {}", during, key));
+    auto const from = position_of(stages, during.empty() ? o.text("from_stage") : during, 0);
     PlannedMotion motion{
-        kind_named(wall_motions(), o.text("kind")).read(o), position_of(stages, o.text("from_stage"), 0),
-        position_of(stages, o.text("until_stage"), stages.size()), o.number("start_s"),
+        kind_named(wall_motions(), o.text("kind")).read(o), from,
+        during.empty() ? position_of(stages, o.text("until_stage"), stages.size()) : from + 1,
+        o.number("start_s"),
         is_absent(o.number("end_s")) ? std::numeric_limits<double>::infinity() : o.number("end_s")};
     if (motion.until_stage <= motion.from_stage)
         throw InputError(
@@ -54,6 +61,8 @@ TableSpec wall_table()
         .options = {entry("from_stage", "stage",
                           "counts from the beginning of this stage; empty: the first one"),
                     entry("until_stage", "stage", "ends when this stage begins, if not before; empty: none"),
+                    entry("during_stage", "stage",
+                          "begins and ends with this stage, instead of both; empty: they count"),
                     number("start_s", 0, "begins so long after that [s]", 0),
                     number("end_s", not_given, "ends so long after that; none: it does not end [s]", 0)},
         .kind_key = "kind",

@@ -32,7 +32,8 @@ TEST(CustomResponses, WhatIsMadeOfACourse)
     EXPECT_NEAR(uniform_motion("take = \"rate\""), 2, tolerance);
     // 0, 0.2, ... 2: a variance of (11^2 - 1) / 12 x 0.2^2.
     EXPECT_NEAR(uniform_motion("take = \"sd\""), 0.2 * std::sqrt(10.0), tolerance);
-    EXPECT_NEAR(uniform_motion("take = \"time_above\"\nthreshold = 0.5"), 0.3, tolerance);
+    EXPECT_NEAR(uniform_motion("take = \"time_above\"\nthreshold = 0.5"), 0.25, tolerance); // between looks
+    EXPECT_NEAR(uniform_motion("take = \"steady_rate\""), 2, tolerance);
     EXPECT_NEAR(uniform_motion("take = \"time_below\"\nthreshold = 0.5"), 0, tolerance);
 }
 
@@ -49,6 +50,78 @@ TEST(CustomResponses, AThresholdThatIsNotReachedFailsTheRun)
             }
         },
         std::runtime_error);
+}
+
+TEST(CustomResponses, SteadyRateLeavesOutStartAndTail)
+{
+    // A ball rolls up to speed nowhere: it falls from rest, z = -g t^2/2 for a second. Between 20 and 80 % of
+    // the way, from sqrt(.2) to sqrt(.8) s, the mean speed is g (sqrt(.2) + sqrt(.8))/2.
+    auto const text = custom_campaign(
+        ball("place_mm = [0, 0, 0]") + stage("only", "duration_s = 1") +
+            response("v", "quantity = \"position\"\naxis = \"z\"\nof = \"ball\"\ntake = \"steady_rate\""),
+        "series_interval_s = 0.01\ndomain_lower_mm = [-10, -10, -6000]\n");
+    double const mean_speed = 9.81 * (std::sqrt(0.2) + std::sqrt(0.8)) / 2;
+    EXPECT_NEAR(response_of(text, "v"), -mean_speed, 0.01 * mean_speed);
+}
+
+TEST(CustomResponses, FlanksAreFoundByThemselves)
+{
+    // A roof: from the ridge at x = 50 mm down with 20 degrees to the left and 40 to the right; flat feet on
+    // both sides.
+    std::string csv = "x,y,z,radius\n";
+    auto const add = [&](double x, double z) {
+        csv += std::to_string(x) + ",0," + std::to_string(z) + ",0.001\n";
+    };
+    auto const down = [](double deg) { return std::tan(deg * M_PI / 180); };
+    for (int k = 0; k <= 15; ++k) {
+        add(0.050 - 0.0025 * k, 0.1 - 0.0025 * k * down(20));
+        if (k > 0)
+            add(0.050 + 0.0025 * k, 0.1 - 0.0025 * k * down(40));
+    }
+    auto const of_roof = [&](std::string const& name, std::string const& more) {
+        auto const text = custom_campaign(
+            "[[experiment.particles]]\nname = \"roof\"\nsource = \"csv\"\nmaterial = \"glass\"\n"
+            "file = \"roof.csv\"\n" +
+                stage("only", "duration_s = 0.001") + more,
+            "gravity_m_s2 = [0, 0, -1e-9]\nseries_interval_s = 0.001\n");
+        return response_of(text, name, {{"roof.csv", csv}});
+    };
+    auto const flanks = response("flanks", "quantity = \"flank_angle\"\naxis = \"x\"\ncell_mm = 0.2");
+    EXPECT_NEAR(of_roof("flanks", flanks), 30, 1.5); // the upper edge of spheres 2 mm wide is scalloped
+    auto const widths =
+        response("width", "quantity = \"extent\"\naxis = \"x\"") +
+        response("height", "quantity = \"extent\"\naxis = \"z\"") +
+        response("more", "quantity = \"difference\"\nfirst = \"width\"\nsecond = \"height\"") +
+        response("middle", "quantity = \"mean_of\"\nfirst = \"width\"\nsecond = \"height\"");
+    double const width = 0.077, height = 0.0375 * down(40) + 0.002;
+    EXPECT_NEAR(of_roof("width", widths), width, 1e-5);
+    EXPECT_NEAR(of_roof("height", widths), height, 1e-5);
+    EXPECT_NEAR(of_roof("more", widths), width - height, 2e-5);
+    EXPECT_NEAR(of_roof("middle", widths), (width + height) / 2, 1e-5);
+}
+
+TEST(CustomResponses, WhatIsMadeOfTwoReadingsMustBeOfOneKind)
+{
+    auto const with = [](std::string const& more) {
+        return custom_campaign(ball("place_mm = [0, 0, 0]") + stage("only", "duration_s = 1") +
+                               response("m", "quantity = \"mass\"") + response("n", "quantity = \"count\"") +
+                               more);
+    };
+    auto const refusal = [&](std::string const& more) -> std::string {
+        try {
+            read_custom(with(more));
+        } catch (InputError const& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(refusal(response("d", "quantity = \"difference\"\nfirst = \"m\"\nsecond = \"n\"")),
+                HasSubstr("m [kg] and n [1] are not of the same kind"));
+    EXPECT_THAT(refusal(response("d", "quantity = \"mean_of\"\nfirst = \"m\"\nsecond = \"d\"")),
+                HasSubstr("d is made of other readings itself"));
+    auto const input = read_custom(
+        with(response("d", "quantity = \"difference\"\nfirst = \"m\"\nsecond = \"m\"\ntake = \"rate\"")));
+    EXPECT_EQ(input.experiments[0].responses.back().units, "kg/s");
 }
 
 TEST(CustomResponses, NamesAndUnits)

@@ -186,6 +186,7 @@ TEST(CustomWalls, MoveFromAStageToAnother)
 {
     std::string const up = "kind = \"translation\"\nvelocity_m_s = [0, 0, 0.05]\n";
     EXPECT_NEAR(lifted(motion(up + "from_stage = \"a\"\nuntil_stage = \"c\"")), 0.01, 1e-4);
+    EXPECT_NEAR(lifted(motion(up + "during_stage = \"b\"")), 0.005, 1e-4);
     EXPECT_NEAR(lifted(motion(up + "from_stage = \"a\"\nstart_s = 0.05\nend_s = 0.15")), 0.005, 1e-4);
     // One after another.
     EXPECT_NEAR(lifted(motion(up + "from_stage = \"a\"\nuntil_stage = \"b\"") +
