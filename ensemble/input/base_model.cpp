@@ -38,8 +38,6 @@ void read_materials(InputTable const& section, BaseInput& base)
         check_name(section, name, name);
         base.materials.push_back({name, section.table(name).read(contact::material_options())});
     }
-    if (base.materials.empty())
-        throw section.error("there is no material; give at least one table [material.NAME]");
 }
 
 PairTable read_pair(InputTable const& section, std::string const& name, BaseInput const& base)

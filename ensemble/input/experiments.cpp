@@ -113,6 +113,16 @@ std::vector<std::string> read_targets(InputTable const& of, BaseInput& base, Fil
     return notes;
 }
 
+//! Whether something of a rig is made of a material.
+bool needs_material(rig::RigInfo const& rig)
+{
+    auto const names_one = [](OptionSpec const& spec) { return spec.names_entry_of == "material"; };
+    return std::any_of(rig.options.begin(), rig.options.end(), names_one) ||
+           std::any_of(rig.tables.begin(), rig.tables.end(), [&](TableSpec const& table) {
+               return std::any_of(table.options.begin(), table.options.end(), names_one);
+           });
+}
+
 } // namespace
 
 ReadExperiments read_experiments(InputTable const& file, BaseInput& base,
@@ -127,6 +137,8 @@ ReadExperiments read_experiments(InputTable const& file, BaseInput& base,
             table.set_path("experiment." + name);
         }
         auto const& rig = rig_of(table, rigs);
+        if (base.materials.empty() && needs_material(rig))
+            throw file.error("there is no material; give at least one table [material.NAME]");
         auto specs = experiment_options();
         specs.insert(specs.end(), rig.options.begin(), rig.options.end());
         std::vector<std::string> others = {"target"};

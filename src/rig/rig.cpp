@@ -36,8 +36,8 @@ std::vector<ResponseInfo> responses_of(RigInfo const& rig, OptionValues const& e
 
 std::vector<RigInfo> const& all_rigs()
 {
-    static std::vector<RigInfo> const rigs = {custom_rig(), drawdown_rig(), drum_rig(), heap_rig(),
-                                              impact_rig()};
+    static std::vector<RigInfo> const rigs = {command_rig(), custom_rig(), drawdown_rig(),
+                                              drum_rig(),    heap_rig(),   impact_rig()};
     return rigs;
 }
 

@@ -14,5 +14,7 @@ RigInfo drum_rig();
 RigInfo heap_rig();
 //! A rig that is described by its experiment alone: `src/rig/custom/CUSTOM.md`.
 RigInfo custom_rig();
+//! Another program, given parameters in files: `src/rig/command/COMMAND.md`.
+RigInfo command_rig();
 
 } // namespace demens::rig
