@@ -36,6 +36,7 @@ void add_scale(CLI::App& program, Action& action);
 void add_observe(CLI::App& program, Action& action);
 void add_effects(CLI::App& program, Action& action);
 void add_gap(CLI::App& program, Action& action);
+void add_shell_help(CLI::App& program, Action& action);
 
 //! Runs a campaign file, or first makes one of a TOML file, on all ranks. \return exit code, the same on all
 //! ranks

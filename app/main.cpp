@@ -51,7 +51,6 @@ int do_what_is_asked(int argc, char** argv)
                      "demens"};
     program.set_version_flag("--version",
                              fmt::format("demens {} ({})", ensemble::program_version, ensemble::git_commit));
-    program.footer(footer);
     program.require_subcommand(0, 1);
     cli::Action action;
     std::string file;
@@ -74,6 +73,8 @@ int do_what_is_asked(int argc, char** argv)
     cli::add_observe(program, action);
     cli::add_effects(program, action);
     cli::add_gap(program, action);
+    cli::add_shell_help(program, action);
+    program.footer(footer); // of the program alone: a subcommand takes over what stands there when it is added
     try {
         program.parse(argc, argv);
     } catch (CLI::ParseError const& error) {

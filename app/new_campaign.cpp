@@ -2,6 +2,7 @@
 
 #include "app/command.hpp"
 #include "demens/base/error.hpp"
+#include "demens/base/text/shell.hpp"
 #include "ensemble/file/parts.hpp"
 #include "ensemble/reuse/taken_waves.hpp"
 #include "ensemble/run/wave_runner.hpp"
@@ -139,7 +140,7 @@ int make_new(fs::path const& toml, fs::path const& file, IfExists if_exists)
     else
         create(file, checked);
     fmt::print("{}wrote {}; run it with: mpirun -n N demens {}\n", checked.plan, file.string(),
-               file.string());
+               text::shell_word(file.string()));
     return success;
 }
 
@@ -174,7 +175,7 @@ void make_or_accept(fs::path const& toml, fs::path const& campaign_file)
         throw InputError(
             fmt::format("{0}: was made of another input than {1} is now; run {0} to go on with it, or make "
                         "a new one with: demens new {1} --output OTHER.h5",
-                        campaign_file.string(), toml.string()));
+                        text::shell_word(campaign_file.string()), text::shell_word(toml.string())));
 }
 
 void add_new(CLI::App& program, Action& action)

@@ -2,6 +2,7 @@
 #include "app/mpi_scope.hpp"
 #include "app/new_campaign.hpp"
 #include "demens/base/words.hpp"
+#include "ensemble/fit_quality.hpp"
 #include "ensemble/mpi/agreement.hpp"
 #include "ensemble/session.hpp"
 #include "gap/campaign/diagnose.hpp"
@@ -9,7 +10,9 @@
 #include "tao_calib/calibrate.hpp"
 #include "tao_calib/summary.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <map>
 #include <mpi.h>
 
 namespace demens::cli {
@@ -32,11 +35,32 @@ std::string left_text(ensemble::Campaign const& campaign)
                 : "";
 }
 
+//! Why runs of the last wave failed, one line a reason, and how far off the best run is by now.
+void print_wave(ensemble::Campaign const& campaign)
+{
+    auto const& wave = campaign.waves.back();
+    std::map<std::string, std::vector<int>> failures; // runs by what became of them
+    for (auto const& run : wave.runs)
+        if (rig::has_failed(run.status))
+            failures[rig::name_of(run.status)].push_back(run.run);
+    for (auto const& [status, runs] : failures) {
+        auto const first = std::find_if(wave.runs.begin(), wave.runs.end(),
+                                        [&](auto const& run) { return run.run == runs.front(); });
+        fmt::print(stderr, "  {} failed, {}; run {}: {}\n", runs.size(), status, first->run, first->reason);
+    }
+    if (auto const* responses = wave.find(ensemble::stored::optimum::best_responses))
+        fmt::print(stderr, "  best run so far {}\n",
+                   headline(ensemble::fit_quality(campaign.input, responses->data)));
+}
+
 int calibrate(fs::path const& file, bool simulates)
 {
     ensemble::Session session(MPI_COMM_WORLD, file, {.simulates = simulates});
-    auto const end = tao_calib::calibrate(session);
     bool const is_root = ensemble::rank_of(MPI_COMM_WORLD) == 0;
+    auto const end = tao_calib::calibrate(session, MPI_COMM_WORLD, [&](ensemble::Campaign const& campaign) {
+        if (is_root)
+            print_wave(campaign);
+    });
     if (is_root && end != tao_calib::CalibrationEnd::drained)
         fmt::print("{}\n", tao_calib::summary(session.campaign()));
     bool stopped = end == tao_calib::CalibrationEnd::drained;

@@ -5,6 +5,7 @@
 #include "demens/base/text/number.hpp"
 #include "demens/observe/vtk_frames.hpp"
 #include "demens/rig/programme/memory.hpp"
+#include "demens/rig/programme/plausible.hpp"
 #include "demens/rig/programme/programme.hpp"
 #include "ensemble/run/execute.hpp"
 
@@ -66,6 +67,10 @@ struct Extent
 
 void print_plan(ensemble::Experiment const& experiment, rig::RunInput const& input)
 {
+    if (!experiment.rig->describe) {
+        fmt::print("  expected to take {:.2g} s\n", experiment.rig->predict_cost(input) / 1e7);
+        return;
+    }
     constexpr double usual_rate = 1e7; // particle steps a second of one core, of a few thousand spheres
     auto const programme = experiment.rig->describe(input);
     auto const apparatus = programme.build();
@@ -95,6 +100,8 @@ void print_plan(ensemble::Experiment const& experiment, rig::RunInput const& inp
                    apparatus.model.materials[wall.material.value].name, centre.x, centre.y, centre.z,
                    1e3 * dem::extent(wall.shape), wall.active ? "" : "; not there at first");
     }
+    for (auto const& warning : rig::unit_warnings(apparatus))
+        fmt::print("  warning: {}\n", warning);
     if (experiment.rig->warnings)
         for (auto const& warning : experiment.rig->warnings(input))
             fmt::print("  warning: {}\n", warning);
@@ -117,14 +124,18 @@ bool simulate(ensemble::Experiment const& experiment, rig::RunInput const& input
                rig::name_of(result.status), result.reason.empty() ? "" : ": ", result.reason,
                result.simulated_time, result.steps, result.particles, seconds);
     if (frames)
-        fmt::print("  wrote {} frames; open {}/particles.pvd in ParaView\n", frames->size(), options.frames);
+        fmt::print("  wrote {} frames; open {}/particles.pvd in ParaView (Representation: Point Gaussian, "
+                   "scaled by radius)\n",
+                   frames->size(), options.frames);
     for (std::size_t r = 0; r < experiment.responses.size() && r < result.responses.size(); ++r) {
         auto const target =
             std::find_if(experiment.targets.begin(), experiment.targets.end(),
                          [&](auto const& t) { return t.response_index == static_cast<int>(r); });
-        fmt::print("  {:<28} {:<12.6g} {:<8}{}\n", experiment.responses[r].name, result.responses[r],
+        bool const has_value = std::isfinite(result.responses[r]);
+        fmt::print("  {:<28} {:<12} {:<8}{}\n", experiment.responses[r].name,
+                   has_value ? fmt::format("{:.6g}", result.responses[r]) : "no value",
                    experiment.responses[r].units,
-                   target == experiment.targets.end()
+                   target == experiment.targets.end() || !has_value
                        ? ""
                        : fmt::format("measured {:.6g}, off by {:+.2g} scales", target->value,
                                      (result.responses[r] - target->value) / target->scale));

@@ -1,5 +1,6 @@
 #include "ensemble/input/campaign_input.hpp"
 
+#include "ensemble/input/all_faults.hpp"
 #include "ensemble/input/base_input.hpp"
 #include "ensemble/input/design_table.hpp"
 #include "ensemble/input/effects.hpp"
@@ -30,8 +31,12 @@ void read_section(input::InputTable const& table, std::vector<std::string> const
 CampaignInput CampaignInput::from_file(std::filesystem::path const& file,
                                        std::vector<rig::RigInfo> const& rigs)
 {
-    return from_text(input::read_text(file, "a campaign's TOML file"), file.string(), rigs,
-                     input::files_beside(file));
+    auto const text = input::read_text(file, "a campaign's TOML file");
+    try {
+        return from_text(text, file.string(), rigs, input::files_beside(file));
+    } catch (InputError const& error) {
+        throw InputError(input::with_all_faults(error.what(), text, file.string(), rigs));
+    }
 }
 
 CampaignInput CampaignInput::from_text(std::string const& toml, std::string const& origin,

@@ -62,6 +62,31 @@ void check_bounds(InputTable const& table, Factor const& factor, OptionSpec cons
         throw table.error("lower", "must be greater than 0 for scale = \"log\"");
 }
 
+//! The key; where the paths of other factors end alike, all of the path but its first part.
+std::string default_name(std::string const& path, std::string const& key,
+                         std::vector<std::string> const& paths)
+{
+    auto const key_of = [](std::string const& p) { return p.substr(p.rfind('.') + 1); };
+    auto const same = [&](std::string const& other) {
+        return other != path && key_of(other) == key_of(path);
+    };
+    if (std::none_of(paths.begin(), paths.end(), same))
+        return key;
+    auto name = path.substr(path.find('.') + 1);
+    std::replace(name.begin(), name.end(), '.', '_');
+    return name;
+}
+
+//! Paths of the factors that are given no name, as they are written.
+std::vector<std::string> paths_without_names(std::vector<InputTable> const& tables)
+{
+    std::vector<std::string> paths;
+    for (auto const& table : tables)
+        if (!table.has("name") && table.has("path"))
+            paths.push_back(std::get<std::string>(table.read_option(spec_of(factor_options(), "path"))));
+    return paths;
+}
+
 //! Two factors must differ in name and in what they set.
 void check_different(InputTable const& table, std::vector<Factor> const& factors, Factor const& factor,
                      BaseInput const& base, std::vector<ScalarPlace> const& places)
@@ -84,13 +109,15 @@ std::vector<Factor> read_factors(InputTable const& file, BaseInput& base,
                                  std::vector<Experiment> const& experiments)
 {
     std::vector<Factor> factors;
-    for (auto const& table : file.table_list("factor")) {
+    auto const tables = file.table_list("factor");
+    auto const nameless = paths_without_names(tables);
+    for (auto const& table : tables) {
         auto const values = table.read(factor_options(), keys_of(factor_lists()));
         auto const resolved = read_path(table, values.text("path"), base, experiments);
 
         Factor factor{resolved.path, values.text("name"), 0, 0};
         if (factor.name.empty())
-            factor.name = resolved.spec.key;
+            factor.name = default_name(values.text("path"), resolved.spec.key, nameless);
         check_name(table, "name", factor.name);
         factor.log_scale = *find_word<FactorScale>(values.text("scale")) == FactorScale::log;
         read_range(table, values, factor);

@@ -88,8 +88,13 @@ std::vector<std::string> InputTable::keys() const
 void InputTable::allow_only(std::vector<std::string> const& known) const
 {
     for (auto const& key : keys())
-        if (std::find(known.begin(), known.end(), key) == known.end())
-            throw error(key, "unknown key; " + suggestion(key, known));
+        allow_only_key(key, known);
+}
+
+void InputTable::allow_only_key(std::string const& key, std::vector<std::string> const& known) const
+{
+    if (std::find(known.begin(), known.end(), key) == known.end())
+        throw error(key, "unknown key; " + suggestion(key, known));
 }
 
 OptionValues InputTable::read(std::vector<OptionSpec> const& specs,

@@ -26,6 +26,8 @@ class InputTable
 
     //! \throws InputError at a key that is none of these, with the nearest one.
     void allow_only(std::vector<std::string> const& known) const;
+    //! The same of one key.
+    void allow_only_key(std::string const& key, std::vector<std::string> const& known) const;
     //! The options of the table, complete with defaults. Keys that are neither options nor `others` are
     //! errors.
     OptionValues read(std::vector<OptionSpec> const& specs,

@@ -44,6 +44,13 @@ std::string suggestion(std::string const& word, std::vector<std::string> const& 
 {
     if (auto const best = nearest(word, candidates); !best.empty())
         return fmt::format("did you mean \"{}\"?", best);
+    // A word that is a part of others stands for one of them.
+    std::vector<std::string> longer;
+    for (auto const& candidate : candidates)
+        if (word.size() >= 3 && ("_" + candidate + "_").find("_" + word + "_") != std::string::npos)
+            longer.push_back(candidate);
+    if (!longer.empty())
+        return fmt::format("did you mean {}?", fmt::join(longer, ", "));
     if (candidates.empty())
         return "there is none to choose from";
     return fmt::format("known: {}", fmt::join(candidates, ", "));

@@ -181,7 +181,7 @@ std::optional<std::string> search_exhausted(Campaign const& campaign, Assessment
     if (budget.time_is_up)
         return fmt::format("the wall time of {:g} s is spent (stop.wall_time_s)", stop.wall_time_s);
     if (budget.points <= reserve(campaign))
-        return fmt::format("the budget of {} runs is spent (stop.runs)", stop.runs);
+        return fmt::format("no further point fits into the budget of {} runs (stop.runs)", stop.runs);
     if (waves_of(campaign, WavePurpose::search) >= stop.waves)
         return fmt::format("{} waves have searched (stop.waves)", stop.waves);
     if (stop.no_improvement_waves > 0 && waves_in_vain(campaign, assessment) >= stop.no_improvement_waves)

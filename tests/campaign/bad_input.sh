@@ -45,7 +45,7 @@ refused 'contact.steel_steel.restituton = 1: unknown key; did you mean "restitut
 refused 'material.steel.density = "heavy": must be a number' 's|density = 7800|density = "heavy"|'
 refused 'factor\[1\].lower = 0.5: must be below upper = 0.3' 's|lower = 0.05|lower = 0.5|'
 refused 'factor\[1\].path = "contact.steel_steel.friction": names nothing' 's|steel_steel.static_friction|steel_steel.friction|'
-refused 'experiment.oblique.target.rebound: the rig impact has no such response; known: normal_restitution' \
+refused 'experiment.oblique.target.rebound: the rig impact has no such response; did you mean rebound_spin_rad_s' \
     's|target.tangential_restitution|target.rebound|'
 refused 'experiment.oblique: .*steel meets glass, but there is no table \[contact.steel_glass\]' \
     's|wall_material = "steel"|wall_material = "glass"|; s|^\[contact|[material.glass]\ndensity = 2500\n[contact|'

@@ -2,6 +2,7 @@
 
 #include "demens/base/contract.hpp"
 #include "demens/rig/programme/memory.hpp"
+#include "demens/rig/programme/plausible.hpp"
 
 #include <algorithm>
 
@@ -95,7 +96,12 @@ RigInfo described(RigInfo rig)
         return programme.check ? programme.check() : std::vector<std::string>{};
     };
     rig.check = [checked](RunInput const& input) { checked(input); };
-    rig.warnings = checked;
+    rig.warnings = [checked](RunInput const& input) {
+        auto warnings = checked(input);
+        auto const units = unit_warnings(input.model);
+        warnings.insert(warnings.end(), units.begin(), units.end());
+        return warnings;
+    };
     rig.predict_cost = [describe](RunInput const& input) {
         auto const programme = describe(input);
         return programme.expected_particles * programme.expected_duration / programme.time_step;

@@ -3,8 +3,11 @@
 
 #include "tests/unit/ensemble/input/test_rigs.hpp"
 
+#include <filesystem>
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace demens::test {
 namespace {
@@ -199,8 +202,27 @@ TEST(BadInput, FactorsMustDiffer)
                              "0.1\nupper = 1"),
                 HasSubstr("sets the same number"));
     EXPECT_THAT(message_with(youngs_factor,
-                             "path = \"contact.quartz_wood_dry.static_friction\"\nlower = 0.1\nupper = 1"),
-                HasSubstr("is called static_friction too; give one of them another name"));
+                             "path = \"contact.quartz_wood_dry.static_friction\"\nname = \"mu_k\"\nlower = "
+                             "0.1\nupper = 1"),
+                HasSubstr("is called mu_k too; give one of them another name"));
+}
+
+TEST(BadInput, AllFaultsOfAFileAreTold)
+{
+    auto const file =
+        std::filesystem::temp_directory_path() / ("demens-faults-" + std::to_string(getpid()) + ".toml");
+    auto text = replaced(good_campaign(), "restitution = 0.3719", "restituton = 0.3719");
+    text = replaced(text, youngs_factor, youngs_factor + "\nscales = \"log\"");
+    std::ofstream(file) << text;
+    std::string message;
+    try {
+        ensemble::CampaignInput::from_file(file, rigs());
+    } catch (InputError const& error) {
+        message = error.what();
+    }
+    std::filesystem::remove(file);
+    EXPECT_THAT(message, AllOf(HasSubstr("restituton = 0.3719: unknown key; did you mean \"restitution\"?\n"),
+                               HasSubstr("scales = \"log\": unknown key; did you mean \"scale\"?")));
 }
 
 TEST(BadInput, Constraints)

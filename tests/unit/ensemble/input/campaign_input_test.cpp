@@ -154,6 +154,17 @@ TEST(CampaignInput, ARunThatTheRigRefusesIsAnError)
     EXPECT_THROW(input.run_input({0.5, 0.6, 12}, 0, 0, 0), InputError) << "kinetic above static friction";
 }
 
+TEST(CampaignInput, FactorsWithTheSameKeyHaveDistinctNames)
+{
+    auto text =
+        replaced(good_campaign(), "path = \"material.quartz.youngs_modulus\"\nlower = 1e6\nupper = 1e8",
+                 "path = \"contact.quartz_wood_dry.static_friction\"\nlower = 0.1\nupper = 1");
+    text = replaced(text, "mu_k <= static_friction", "mu_k <= quartz_quartz_static_friction");
+    auto const input = ensemble::CampaignInput::from_text(text, "test.toml", rigs());
+    EXPECT_EQ(input.factors[0].name, "quartz_quartz_static_friction");
+    EXPECT_EQ(input.factors[2].name, "quartz_wood_dry_static_friction");
+}
+
 TEST(CampaignInput, LevelsBoundAFactor)
 {
     auto const input = read(replaced(good_campaign(), "name = \"mu_k\"\nlower = 0.1\nupper = 1.2",

@@ -22,6 +22,8 @@ TEST(Nearest, FindsTheMisspeltWordOnly)
     EXPECT_EQ(nearest("young_modulus", keys), "youngs_modulus");
     EXPECT_EQ(nearest("sdd", keys), "sd");
     EXPECT_EQ(nearest("colour", keys), "");
+    EXPECT_EQ(suggestion("friction", {"static_friction", "restitution", "friction_limit", "frictionless"}),
+              "did you mean static_friction, friction_limit?");
     EXPECT_EQ(suggestion("colour", keys), "known: density, youngs_modulus, sd");
 }
 
