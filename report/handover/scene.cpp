@@ -72,6 +72,7 @@ Scene scene_of(rig::RigInfo const& rig, rig::RunInput const& input)
                 .bodies = {},
                 .walls = {},
                 .expected_particles = programme.expected_particles,
+                .has_grains = false,
                 .duration = programme.expected_duration,
                 .lower = {1e300, 1e300, 1e300},
                 .upper = {-1e300, -1e300, -1e300}};
@@ -83,6 +84,7 @@ Scene scene_of(rig::RigInfo const& rig, rig::RunInput const& input)
     scene.options = simulation.options();
     scene.walls = simulation.walls();
     auto const particles = simulation.read(dem::Fields::all);
+    scene.has_grains = simulation.counts().particles < particles.size();
     scene.bodies.resize(particles.size());
     for (std::size_t k = 0; k < particles.size(); ++k) {
         auto const& place = particles.place(k);
@@ -101,6 +103,8 @@ std::string fault_of(Scene const& scene)
     if (static_cast<double>(scene.bodies.size()) < 0.9 * scene.expected_particles)
         return fmt::format("{} of about {:.0f} particles are there at first, and a deck holds these alone",
                            scene.bodies.size(), scene.expected_particles);
+    if (scene.has_grains)
+        return "grains that are not spheres are not written";
     if (scene.options.periodic.any())
         return "periodic directions are not written";
     return {};

@@ -14,8 +14,9 @@ struct Scene
     dem::BodyBatch bodies;
     std::vector<dem::Wall> walls;
     double expected_particles = 0;
-    double duration = 0;  //!< expected [s]
-    Vector3 lower, upper; //!< box that holds all of it, with room for what flies away [m]
+    bool has_grains = false; //!< of several spheres
+    double duration = 0;     //!< expected [s]
+    Vector3 lower, upper;    //!< box that holds all of it, with room for what flies away [m]
 
     //! Mean of the particles' places [m].
     Vector3 middle() const;
