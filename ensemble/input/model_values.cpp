@@ -48,8 +48,21 @@ class ValueList
 
 std::string text_of(SizeTable const& sizes)
 {
-    return fmt::format("{} of mass at {} mm, {}", fmt::join(sizes.fractions, ", "),
-                       fmt::join(sizes.diameters, ", "), sizes.classes ? "classes" : "a cumulative curve");
+    auto text =
+        fmt::format("{} of mass at {} mm, {}", fmt::join(sizes.fractions, ", "),
+                    fmt::join(sizes.diameters, ", "), sizes.classes ? "classes" : "a cumulative curve");
+    for (auto const& shape : sizes.shapes)
+        text += fmt::format(", {} of {} {}", number_text(shape.share), word_for(sizes.share_of), shape.name);
+    return text;
+}
+
+std::string text_of(ShapeTable const& shape)
+{
+    auto text = fmt::format("size {}", word_for(shape.measure));
+    for (auto const& ball : shape.spheres)
+        text += fmt::format(", [{}, {}, {}, {}]", number_text(ball.place.x), number_text(ball.place.y),
+                            number_text(ball.place.z), number_text(ball.radius));
+    return text;
 }
 
 //! The same for either order of its materials.
@@ -87,9 +100,16 @@ std::vector<ModelValue> model_values(BaseInput const& base, std::vector<Experime
     for (std::size_t p = 0; p < base.pairs.size(); ++p)
         if (auto const& pair = base.pairs[p]; materials.count(pair.first) && materials.count(pair.second))
             values.add(name_of(pair) + ".", Table::pair, p, contact::pair_options());
+    std::set<std::string> shapes;
     for (auto const& one : base.size_distributions)
-        if (sizes.count(one.name))
+        if (sizes.count(one.name)) {
             values.add_text("size_distribution." + one.name, text_of(one));
+            for (auto const& shape : one.shapes)
+                shapes.insert(shape.name);
+        }
+    for (auto const& one : base.shapes)
+        if (shapes.count(one.name))
+            values.add_text("shape." + one.name, text_of(one));
     return values.values();
 }
 
