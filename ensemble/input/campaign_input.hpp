@@ -171,7 +171,7 @@ struct RunOptions
     double run_wall_time_s = limit_by_prediction; //!< a run slower than this is `timed_out`; 0: no limit
     rig::EngineChoice engine = rig::EngineChoice::cpu;
     int runs_together = 0; //!< on a device at once; 0: as many as its memory holds
-    std::string bank;      //!< campaign file whose runs are taken over where they hold; empty: none
+    std::string bank = {}; //!< campaign file whose runs are taken over where they hold; empty: none
 };
 
 //! `[gap]`: what is diagnosed once the campaign is calibrated.
