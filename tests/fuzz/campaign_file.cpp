@@ -1,15 +1,10 @@
 // A campaign file with a finished wave, of which bytes are changed: cases are lists of (offset, byte). The
 // check sums that are right for the changed bytes are not made anew, so that datasets mostly end there;
 // headers, attributes and the structure of the file do not.
-#include "ensemble/file/campaign_file.hpp"
-#include "ensemble/file/run_tables.hpp"
-#include "ensemble/run/execute.hpp"
-#include "ensemble/session.hpp"
 #include "ensemble/storage/durable.hpp"
 #include "tests/fuzz/accepts.hpp"
-#include "tests/mpi/formula_rig.hpp"
+#include "tests/mpi/finished_campaign.hpp"
 
-#include <filesystem>
 #include <fstream>
 
 namespace {
@@ -23,24 +18,7 @@ std::string const file = std::filesystem::exists("/dev/shm")
 
 Bytes campaign_image()
 {
-    std::filesystem::remove(file);
-    create_campaign_file(file,
-                         CampaignInput::from_text(test::formula_campaign(), "fuzz", test::formula_rigs()));
-    auto const campaign = read_campaign_file(file, test::formula_rigs());
-    auto wave = plan_runs(campaign, {WavePurpose::design, {{0.1, 0.2}, {0.7, 0.4}}});
-    std::vector<RunDetails> details;
-    for (auto& run : wave.runs) {
-        auto finished = execute(campaign.input, run, {});
-        run = finished.record;
-        details.push_back(finished.details);
-    }
-    update_file(file, 1 << 20, [&](hid_t opened) {
-        RowWriter writer(opened);
-        write_plan(writer, wave, campaign.input);
-        write_results(writer, wave, campaign.input);
-        write_details(writer, 0, wave.runs, details, campaign.input);
-        write_analysis(opened, 0, {{"optimum/best_point", {2}, {0.1, 0.2}, "mixed", "best"}});
-    });
+    test::create_finished_campaign(file);
     return read_bytes(file);
 }
 

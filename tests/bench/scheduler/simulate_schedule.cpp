@@ -65,7 +65,7 @@ struct Outcome
 {
     double span = 0; //!< [s] from the first run to the last gather
     double busy = 0; //!< [s] all groups together
-    double idle_at_ends = 0,
+    double idle = 0,
            alone = 0;   //!< [s] of all groups: waiting for the last run of a wave; for gather and plan
     double manager = 0; //!< [s] of rank 0, answering
 
@@ -88,32 +88,60 @@ std::vector<int> order_of(Runs const& runs, std::size_t experiments)
     return longest_first(std::move(rows), expected.seconds);
 }
 
+//! Groups by the time at which each is free, and the counter that they ask for the next run.
+class Groups
+{
+  public:
+    explicit Groups(int count)
+        : free_(std::greater<>{}, std::vector<double>(static_cast<std::size_t>(count), 0.0))
+    {
+    }
+
+    //! Runs a wave that is known from a time on. \return when its last run is over
+    double run(Model const& model, Runs const& runs, double known, Outcome& outcome)
+    {
+        double end = known;
+        for (int const row : order_of(runs, model.mean_seconds.size())) {
+            double const asked = std::max(free_.top(), known);
+            outcome.idle += asked - free_.top();
+            free_.pop();
+            counter_ = std::max(counter_, asked) + model.service;
+            outcome.manager += model.service;
+            double const seconds = runs.seconds[static_cast<std::size_t>(row)];
+            double const done = counter_ + model.answer + seconds + model.store;
+            outcome.busy += seconds;
+            end = std::max(end, done);
+            free_.push(done);
+        }
+        return end;
+    }
+
+    //! All wait for the last one, and then until the next wave begins.
+    void wait(double end, double begin, Outcome& outcome)
+    {
+        auto const count = free_.size();
+        for (; !free_.empty(); free_.pop())
+            outcome.idle += end - free_.top();
+        free_ = decltype(free_)(std::greater<>{}, std::vector<double>(count, begin));
+    }
+
+  private:
+    std::priority_queue<double, std::vector<double>, std::greater<>> free_;
+    double counter_ = 0; //!< when it can answer
+};
+
 //! Wave after wave, each gathered before the next is planned.
 Outcome waves_in_turn(Model const& model, int groups, int runs_of_wave, RandomStream random)
 {
     Outcome outcome;
+    Groups all(groups);
     double begin = 0;
     for (int w = 0; w < model.waves; ++w) {
-        auto const runs = make_runs(model, runs_of_wave, random);
-        std::priority_queue<double, std::vector<double>, std::greater<>> free(
-            std::greater<>{}, std::vector<double>(static_cast<std::size_t>(groups), begin));
-        double counter = begin, end = begin; // when the counter is free
-        for (int const row : order_of(runs, model.mean_seconds.size())) {
-            double const asked = free.top();
-            free.pop();
-            counter = std::max(counter, asked) + model.service;
-            outcome.manager += model.service;
-            double const seconds = runs.seconds[static_cast<std::size_t>(row)];
-            double const done = counter + model.answer + seconds + model.store;
-            outcome.busy += seconds;
-            end = std::max(end, done);
-            free.push(done);
-        }
-        for (; !free.empty(); free.pop())
-            outcome.idle_at_ends += end - free.top();
+        double const end = all.run(model, make_runs(model, runs_of_wave, random), begin, outcome);
         double const alone = after_wave(model, runs_of_wave, groups);
         outcome.alone += alone * groups;
         begin = end + alone;
+        all.wait(end, begin, outcome);
     }
     outcome.span = begin;
     return outcome;
@@ -124,28 +152,13 @@ Outcome waves_in_turn(Model const& model, int groups, int runs_of_wave, RandomSt
 Outcome waves_ahead(Model const& model, int groups, int runs_of_wave, RandomStream random)
 {
     Outcome outcome;
-    std::priority_queue<double, std::vector<double>, std::greater<>> free(
-        std::greater<>{}, std::vector<double>(static_cast<std::size_t>(groups), 0.0));
+    Groups all(groups);
     std::vector<double> known(static_cast<std::size_t>(model.waves) + 2,
                               0.0); // when the plan of a wave is there
-    double counter = 0;
-    for (int w = 0; w < model.waves; ++w) {
-        auto const runs = make_runs(model, runs_of_wave, random);
-        double end = 0;
-        for (int const row : order_of(runs, model.mean_seconds.size())) {
-            double const asked = std::max(free.top(), known[static_cast<std::size_t>(w)]);
-            outcome.idle_at_ends += asked - free.top();
-            free.pop();
-            counter = std::max(counter, asked) + model.service;
-            outcome.manager += model.service;
-            double const seconds = runs.seconds[static_cast<std::size_t>(row)];
-            double const done = counter + model.answer + seconds + model.store;
-            outcome.busy += seconds;
-            end = std::max(end, done);
-            free.push(done);
-        }
-        known[static_cast<std::size_t>(w) + 2] = end + after_wave(model, runs_of_wave, 1);
-        outcome.span = std::max(outcome.span, known[static_cast<std::size_t>(w) + 2]);
+    for (std::size_t w = 0; w < static_cast<std::size_t>(model.waves); ++w) {
+        double const end = all.run(model, make_runs(model, runs_of_wave, random), known[w], outcome);
+        known[w + 2] = end + after_wave(model, runs_of_wave, 1);
+        outcome.span = std::max(outcome.span, known[w + 2]);
     }
     return outcome;
 }
@@ -182,8 +195,8 @@ int main(int argc, char** argv)
             auto const ahead = waves_ahead(model, g, g * per_group, random);
             double const all = now.span * g;
             fmt::print("| {} | {} | {:.1f} % | {:.1f} % | {:.1f} % | {:.2f} % | {:.1f} % |\n", g,
-                       g * per_group, 100 * now.efficiency(g), 100 * now.idle_at_ends / all,
-                       100 * now.alone / all, 100 * now.manager / now.span, 100 * ahead.efficiency(g));
+                       g * per_group, 100 * now.efficiency(g), 100 * now.idle / all, 100 * now.alone / all,
+                       100 * now.manager / now.span, 100 * ahead.efficiency(g));
         }
     return 0;
 }

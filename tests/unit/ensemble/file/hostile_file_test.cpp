@@ -1,13 +1,8 @@
 // Campaign files from others: damaged in a bit, or made to reach outside.
 #include "demens/base/error.hpp"
-#include "ensemble/file/campaign_file.hpp"
-#include "ensemble/file/run_tables.hpp"
-#include "ensemble/run/execute.hpp"
-#include "ensemble/session.hpp"
 #include "ensemble/storage/durable.hpp"
-#include "tests/mpi/formula_rig.hpp"
+#include "tests/mpi/finished_campaign.hpp"
 
-#include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,28 +13,6 @@ using namespace demens::test;
 using ::testing::HasSubstr;
 
 namespace {
-
-//! A campaign with one wave whose runs are finished.
-void create(std::string const& file)
-{
-    std::filesystem::remove(file);
-    create_campaign_file(file, CampaignInput::from_text(formula_campaign(), "test", formula_rigs()));
-    auto campaign = read_campaign_file(file, formula_rigs());
-    auto wave = plan_runs(campaign, {WavePurpose::design, {{0.1, 0.2}, {0.3, 0.4}}});
-    std::vector<RunDetails> details;
-    for (auto& run : wave.runs) {
-        auto finished = execute(campaign.input, run, {});
-        run = finished.record;
-        details.push_back(finished.details);
-    }
-    update_file(file, 1 << 20, [&](hid_t opened) {
-        RowWriter writer(opened);
-        write_plan(writer, wave, campaign.input);
-        write_results(writer, wave, campaign.input);
-        write_details(writer, 0, wave.runs, details, campaign.input);
-        write_analysis(opened, 0, {{"optimum/best_point", {2}, {0.1, 0.2}, "mixed", "best"}});
-    });
-}
 
 std::string refusal(std::string const& file)
 {
@@ -54,7 +27,7 @@ std::string refusal(std::string const& file)
 //! What is said of a campaign that was changed by HDF5's own functions.
 std::string refusal_after(std::function<void(hid_t)> const& change)
 {
-    create("changed.h5");
+    create_finished_campaign("changed.h5");
     auto file = hdf5::open_to_write("changed.h5");
     change(file);
     file.close();
@@ -91,7 +64,7 @@ std::vector<std::string> datasets_below(hid_t file, std::string const& group)
 
 TEST(DamagedFile, AFlippedBitInAnyDatasetIsRefusedByName)
 {
-    create("whole.h5");
+    create_finished_campaign("whole.h5");
     ASSERT_EQ(refusal("whole.h5"), "accepted");
     auto const image = read_bytes("whole.h5");
     int flipped = 0;
@@ -113,7 +86,7 @@ TEST(DamagedFile, AFlippedBitInAnyDatasetIsRefusedByName)
 
 TEST(DamagedFile, AFlippedBitAnywhereDoesNoHarm)
 {
-    create("whole.h5");
+    create_finished_campaign("whole.h5");
     auto const image = read_bytes("whole.h5");
     int refused = 0;
     int constexpr places = 300;
@@ -211,7 +184,7 @@ TEST(HostileFile, NumbersThatNumberNothingAreRefused)
 
 TEST(HostileFile, ASessionDoesNotWorkThroughLinks)
 {
-    create("target.h5");
+    create_finished_campaign("target.h5");
     std::filesystem::remove("link.h5");
     std::filesystem::create_symlink("target.h5", "link.h5");
     auto const input = CampaignInput::from_text(formula_campaign(), "test", formula_rigs());
@@ -224,6 +197,6 @@ TEST(HostileFile, ASessionDoesNotWorkThroughLinks)
     }
     auto const before = read_bytes("target.h5");
     std::filesystem::create_symlink("target.h5", "copied.h5.new");
-    create("copied.h5"); // its copy on the way is made anew
+    create_finished_campaign("copied.h5"); // its copy on the way is made anew
     EXPECT_EQ(read_bytes("target.h5"), before);
 }
