@@ -74,7 +74,8 @@ int do_what_is_asked(int argc, char** argv)
     cli::add_effects(program, action);
     cli::add_gap(program, action);
     cli::add_shell_help(program, action);
-    program.footer(footer); // of the program alone: a subcommand takes over what stands there when it is added
+    // Of the program alone: a subcommand takes over what stands there when it is added.
+    program.footer(footer);
     try {
         program.parse(argc, argv);
     } catch (CLI::ParseError const& error) {

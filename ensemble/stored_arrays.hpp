@@ -132,11 +132,10 @@ inline constexpr ArrayName factor_on_bound = {
     "1",
     "by factor: -1 the estimate is on the lower bound, 1 on the upper one, 0 on none",
     {Extent::factors}};
-inline constexpr ArrayName sets = {
-    "optimum/sets",
-    "mixed",
-    "parameter sets that the targets allow, drawn as often as they are likely",
-    {Extent::any, Extent::factors}};
+inline constexpr ArrayName sets = {"optimum/sets",
+                                   "mixed",
+                                   "parameter sets that the targets allow, drawn as often as they are likely",
+                                   {Extent::any, Extent::factors}};
 inline constexpr ArrayName region_90 = {
     "optimum/region_90",
     "1",

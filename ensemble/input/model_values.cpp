@@ -1,4 +1,5 @@
 // What a run of an experiment is made from, value by value.
+#include "demens/grain/words.hpp"
 #include "ensemble/input/base_input.hpp"
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/toml_text.hpp"

@@ -12,7 +12,8 @@ std::size_t edit_distance(std::string const& a, std::string const& b);
 //! The candidate that a misspelt word most likely stands for; empty when none is near.
 std::string nearest(std::string const& word, std::vector<std::string> const& candidates);
 
-//! `did you mean "restitution"?`, those that the word is a part of, or the list of candidates when none is near.
+//! `did you mean "restitution"?`, those that the word is a part of, or the list of candidates when none is
+//! near.
 std::string suggestion(std::string const& word, std::vector<std::string> const& candidates);
 
 } // namespace demens::ensemble::input

@@ -33,7 +33,8 @@ class MindlinTangentialWith : public LawTraits
                               contact.time_step * contact.tangent_velocity;
         history.vectors[0] =
             friction_.in(contact).limit(stiffness * norm(trial), normal.limit, history.scalars[0]) * trial;
-        double const viscous = (1 - history.scalars[0]) * damping_ * contact.damping_scale;
+        double const sticks = normal.limit > 0 ? 1 - history.scalars[0] : 0.0; // a pull holds nothing
+        double const viscous = sticks * damping_ * contact.damping_scale;
         return {-stiffness * history.vectors[0], viscous * contact.tangent_velocity,
                 0.5 * stiffness * norm_squared(history.vectors[0])};
     }

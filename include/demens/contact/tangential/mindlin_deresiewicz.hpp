@@ -40,7 +40,8 @@ class MindlinDeresiewiczTangentialWith : public LawTraits
         double const left = slid < 1 ? 1 - slid : 0.0;
         double const root = std::sqrt(left);
         double const force = friction_ * normal.limit * (1 - left * root);
-        double const viscous = (1 - history.scalars[0]) * damping_ * contact.damping_scale;
+        double const sticks = normal.limit > 0 ? 1 - history.scalars[0] : 0.0; // a pull holds nothing
+        double const viscous = sticks * damping_ * contact.damping_scale;
         return {-force / (share * size > 1e-300 ? share * size : 1e-300) * history.vectors[0],
                 viscous * contact.tangent_velocity,
                 friction_ * normal.limit * largest * (slid - 0.4 * (1 - left * left * root))};

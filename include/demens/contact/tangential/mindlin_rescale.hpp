@@ -44,7 +44,8 @@ class MindlinRescaleTangentialWith : public LawTraits
         history.vectors[0] =
             friction_.in(contact).limit(norm(trial), normal.limit, history.scalars[0]) * trial;
         history.scalars[1] = contact.overlap;
-        double const viscous = (1 - history.scalars[0]) * damping_ * contact.damping_scale;
+        double const sticks = normal.limit > 0 ? 1 - history.scalars[0] : 0.0; // a pull holds nothing
+        double const viscous = sticks * damping_ * contact.damping_scale;
         return {history.vectors[0], viscous * contact.tangent_velocity,
                 spring_energy(norm_squared(history.vectors[0]), stiffness)};
     }
