@@ -113,7 +113,7 @@ TEST_F(FrameFile, WhatThisProgramWritesIsReadBack)
     auto content = std::string(std::filesystem::file_size(folder_ / "run/particles_000000.vtp"), ' ');
     std::ifstream(folder_ / "run/particles_000000.vtp", std::ios::binary)
         .read(content.data(), static_cast<std::streamsize>(content.size()));
-    EXPECT_SAYS(refusal("cut.vtp", content.substr(0, content.find("\n_") + 10)), "not whole");
+    EXPECT_SAYS(refusal("cut.vtp", content.substr(0, content.size() / 2)), "not whole");
 }
 
 TEST_F(FrameFile, XmlInTextAndInBase64)
