@@ -44,8 +44,9 @@ void print_wave(ensemble::Campaign const& campaign)
         if (rig::has_failed(run.status))
             failures[rig::name_of(run.status)].push_back(run.run);
     for (auto const& [status, runs] : failures) {
-        auto const first = std::find_if(wave.runs.begin(), wave.runs.end(),
-                                        [&](auto const& run) { return run.run == runs.front(); });
+        auto const first =
+            std::find_if(wave.runs.begin(), wave.runs.end(),
+                         [number = runs.front()](auto const& run) { return run.run == number; });
         fmt::print(stderr, "  {} failed, {}; run {}: {}\n", runs.size(), status, first->run, first->reason);
     }
     if (auto const* responses = wave.find(ensemble::stored::optimum::best_responses))

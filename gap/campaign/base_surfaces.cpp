@@ -57,7 +57,7 @@ double variance_of_run(tao_calib::Samples const& samples, tao_calib::Surrogate c
     double const repeated = samples.weights.sum() - static_cast<double>(samples.weights.size());
     if (repeated >= enough_repetitions)
         return samples.squared_deviations.sum() / repeated;
-    VectorXd const errors = surface.leave_one_out_errors();
+    auto const& errors = surface.leave_one_out_errors();
     return samples.weights.dot(VectorXd(errors.array().square())) / static_cast<double>(errors.size());
 }
 

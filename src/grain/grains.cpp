@@ -60,7 +60,9 @@ Grains::Grains(shape::SizeDistribution const& sizes) : Grains(sizes, {{{"sphere"
 
 Grains::Grains(shape::SizeDistribution const& sizes, ShapeMixture mixture)
 {
-    auto& [shapes, shares, share_of] = mixture;
+    auto& shapes = mixture.shapes;
+    auto const& shares = mixture.shares;
+    auto const share_of = mixture.share_of;
     if (shapes.empty() || shapes.size() != shares.size())
         throw InputError(
             fmt::format("{} shapes need as many shares, and there are {}", shapes.size(), shares.size()));
