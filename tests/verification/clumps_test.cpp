@@ -1,69 +1,15 @@
 // Rigid bodies of several balls against mechanics in closed form.
-#include "demens/base/random.hpp"
-#include "tests/support/clumps.hpp"
 #include "tests/support/fault_of.hpp"
-#include "tests/support/impact.hpp"
-#include "tests/support/motion.hpp"
+#include "tests/verification/clump_scene.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <numbers>
 
 namespace {
 
 using namespace demens;
 using namespace demens::testing;
-
-constexpr double pi = std::numbers::pi, g = 9.81, radius = 5e-3;
-contact::Material const stone{"stone", 2500, 1e8, 0.25};
-double const mass = 2500 * 4.0 / 3 * pi * radius * radius * radius;
-
-contact::Model model(double restitution, double friction)
-{
-    contact::PairProperties pair;
-    pair.restitution = restitution;
-    pair.static_friction = pair.kinetic_friction = friction;
-    return one_material(stone, pair);
-}
-
-dem::Body body_of(std::shared_ptr<grain::BodyShape const> shape, Vector3 const& position,
-                  Vector3 const& velocity = {}, Vector3 const& spin = {}, Quaternion const& orientation = {})
-{
-    return {.position = position,
-            .radius = radius,
-            .velocity = velocity,
-            .spin = spin,
-            .shape = std::move(shape),
-            .orientation = orientation};
-}
-
-dem::Wall floor()
-{
-    return {.shape = dem::Rectangle{{}, {1, 0, 0}, {0, 1, 0}, 1, 1}};
-}
-
-dem::StateView grains_of(dem::Simulation& simulation)
-{
-    return simulation.read_grains(dem::Fields::all);
-}
-
-//! Momenta of whole bodies about the origin; those of rotation from the elements, whose spin is the body's.
-Momenta momenta_of_bodies(dem::Simulation& simulation, std::vector<dem::Body> const& bodies,
-                          std::vector<Quaternion> const& orientations)
-{
-    auto const grains = grains_of(simulation);
-    Momenta sum;
-    for (std::size_t k = 0; k < grains.size(); ++k) {
-        Vector3 const momentum = grains.mass(k) * grains.velocity(k);
-        Vector3 const i = grains.mass(k) * radius * radius * bodies[k].shape->inertia;
-        Vector3 const w = orientations[k].inverse(grains.spin(k));
-        sum.linear += momentum;
-        sum.angular +=
-            cross(grains.position(k), momentum) + orientations[k](Vector3{i.x * w.x, i.y * w.y, i.z * w.z});
-    }
-    return sum;
-}
 
 TEST(Clumps, OfOneBallIsTheSphereBitForBit)
 {
@@ -225,105 +171,6 @@ TEST(Clumps, BallOfARodThatHitsAFloorComesBackAsFast)
     EXPECT_NEAR(grains.velocity(0).z, impulse / mass - speed, 2e-3 * speed);
     EXPECT_NEAR(grains.velocity(0).x, 0.1, 1e-12);
     EXPECT_NEAR(norm(grains.spin(0)), impulse * lever / inertia, 2e-3 * impulse * lever / inertia);
-}
-
-//! Bodies in a cloud that fly at each other.
-std::vector<dem::Body> cloud(int count, double spacing, std::uint64_t seed)
-{
-    std::vector<dem::Body> bodies;
-    RandomStream random(seed);
-    auto const any = [&](double size) {
-        return Vector3{random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-    };
-    auto const shapes = {rod_of(2), rod_of(3), jack()};
-    for (int k = 0; k < count; ++k) {
-        Vector3 const place = spacing * Vector3{0.5 + k % 3, 0.5 + k / 3 % 3, 0.5 + k / 9};
-        bodies.push_back(body_of(shapes.begin()[k % 3], place, any(0.5), any(50), quaternion_about(any(2))));
-    }
-    return bodies;
-}
-
-TEST(Clumps, FreeHitsKeepMomentumAndAngularMomentum)
-{
-    // Two rods, with friction and damping, hit each other beside their centres.
-    std::vector<dem::Body> const rods = {body_of(rod_of(2), {-2 * radius, 0.3 * radius, 0.1 * radius},
-                                                 {1, 0, 0}, {30, -20, 50}, quaternion_about({0.3, 0.2, 0.9})),
-                                         body_of(rod_of(3), {2 * radius, 0, 0}, {-0.5, 0.2, 0}, {10, 60, 0},
-                                                 quaternion_about({0, 0.7, -0.4}))};
-    dem::Simulation simulation(model(0.5, 0.5), {.time_step = 1e-6, .gravity = {}, .skin = 1e-3});
-    simulation.add(rods);
-    auto const orientations = [&] { // of a rod along x and any turn about it, since it has one axis only
-        std::vector<Quaternion> all;
-        auto const elements = state_of(simulation);
-        std::vector<Vector3> by_id(elements.size());
-        for (std::size_t k = 0; k < elements.size(); ++k)
-            by_id[elements.id(k).value] = elements.position(k);
-        for (auto const& [first, last] : {std::pair{0, 1}, std::pair{2, 4}}) {
-            Vector3 const along =
-                by_id[static_cast<std::size_t>(last)] - by_id[static_cast<std::size_t>(first)];
-            Vector3 const axis = along / norm(along), side = any_normal_to(axis);
-            all.push_back(quaternion_of({axis, side, cross(axis, side)}));
-        }
-        return all;
-    };
-    auto const before = momenta_of_bodies(simulation, rods, orientations());
-    double const energy = simulation.kinetic_energy();
-    simulation.advance(30000);
-    EXPECT_LT(simulation.kinetic_energy(), 0.9 * energy); // they have met
-    EXPECT_EQ(simulation.counts().contacts, 0u);
-    auto const after = momenta_of_bodies(simulation, rods, orientations());
-    EXPECT_LT(norm(after.linear - before.linear), 1e-12 * mass);
-    EXPECT_LT(norm(after.angular - before.angular), 1e-9 * norm(before.angular));
-}
-
-TEST(Clumps, ElasticHitsKeepTheEnergy)
-{
-    // 27 clumps in a box, smooth and elastic: hundreds of hits with each other and the walls.
-    double const spacing = 6 * radius, side = 3 * spacing;
-    contact::PairProperties pair;
-    pair.restitution = 1;
-    pair.static_friction = pair.kinetic_friction = 0;
-    dem::SimulationOptions options{.time_step = 2e-6, .gravity = {}, .skin = 1e-3};
-    options.energy_ledger = true;
-    dem::Simulation simulation(one_material(stone, pair), options);
-    simulation.add(cloud(27, spacing, 11));
-    for (double const at : {0.0, side}) {
-        simulation.add(dem::Wall{.shape = dem::Rectangle{{0, 0, at}, {1, 0, 0}, {0, 1, 0}, 1, 1}});
-        simulation.add(dem::Wall{.shape = dem::Rectangle{{0, at, 0}, {0, 0, 1}, {1, 0, 0}, 1, 1}});
-        simulation.add(dem::Wall{.shape = dem::Rectangle{{at, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, 1}});
-    }
-    simulation.advance(0);
-    double const energy = simulation.energy().kinetic();
-    std::size_t hits = 0;
-    for (int k = 0; k < 1000; ++k) {
-        simulation.advance(200);
-        hits += simulation.counts().contacts + simulation.counts().wall_contacts;
-    }
-    EXPECT_GT(hits, 100u);
-    auto const ledger = simulation.energy();
-    EXPECT_NEAR(ledger.kinetic() + ledger.elastic(), energy, 1e-3 * energy);
-    EXPECT_LT(std::abs(ledger.closure_error()), 1e-3);
-    EXPECT_EQ(simulation.health(), dem::Health::good);
-}
-
-TEST(Clumps, LedgerClosesWithFrictionDampingGravityAndSurroundings)
-{
-    contact::PairProperties pair;
-    pair.restitution = 0.5;
-    pair.static_friction = 0.5, pair.kinetic_friction = 0.4;
-    dem::SimulationOptions options{.time_step = 5e-6, .skin = 1e-3};
-    options.energy_ledger = true;
-    options.surroundings = {.viscosity = 1e-3, .density = 1.2, .vibration = {0, 0, 2}, .frequency = 50};
-    dem::Simulation simulation(one_material(stone, pair), options);
-    simulation.add(floor());
-    double const spacing = 6 * radius;
-    auto const bodies = cloud(27, spacing, 12);
-    simulation.add(dem::BodyBatch(bodies.begin(), bodies.begin() + 18));
-    simulation.advance(2000);
-    simulation.add(dem::BodyBatch(bodies.begin() + 18, bodies.end()));
-    simulation.advance(60000);
-    EXPECT_LT(std::abs(simulation.energy().closure_error()), 2e-3);
-    EXPECT_GT(simulation.energy().lost_to_friction, 0);
 }
 
 TEST(Clumps, AtRestOnAFloorPressOnItWithTheirWeight)
