@@ -81,11 +81,12 @@ void write_shards(hid_t file, Campaign const& campaign, Wave const& wave, std::s
     }
 }
 
-//! Runs of a wave in progress, whose results are shards.
+//! Runs of a wave in progress, whose results are shards. \param histories of the runs before they are
+//! forgotten
 void change_shards(Campaign const& campaign, Wave const& wave, std::set<int> const& runs, Fate fate,
-                   std::string const& reason, Parts const& parts, Journal& journal)
+                   std::string const& reason, std::map<int, RunHistory> const& histories, Parts const& parts,
+                   Journal& journal)
 {
-    auto const histories = read_journals(parts.folder());
     for (auto const& plan : wave.runs) {
         if (!runs.contains(plan.run))
             continue;
@@ -129,6 +130,8 @@ void take_back(fs::path const& file, std::vector<int> const& numbers, Fate fate,
 {
     std::set<int> const runs(numbers.begin(), numbers.end());
     auto const name = file.string();
+    open_campaign(file); // a wrong file is refused before anything is made beside it
+    CampaignLock const lock(file, CampaignLock::Kind::session);
     auto const campaign = read_campaign(file, rigs);
     require_runs(campaign, runs, name);
     std::vector<Wave const*> complete, open;
@@ -138,15 +141,15 @@ void take_back(fs::path const& file, std::vector<int> const& numbers, Fate fate,
             (is_complete(wave) ? complete : open).push_back(&wave);
         }
 
-    CampaignLock const lock(file, CampaignLock::Kind::session);
     Parts const parts(file);
     if (std::all_of(campaign.waves.begin(), campaign.waves.end(), is_complete))
         parts.remove(); // left over from a kill
     parts.make_folder();
+    auto const histories = read_journals(parts.folder());
     forget_runs(parts.folder(), runs);
     Journal journal(parts.folder(), "taken-back");
     for (auto const* wave : open)
-        change_shards(campaign, *wave, runs, fate, reason, parts, journal);
+        change_shards(campaign, *wave, runs, fate, reason, histories, parts, journal);
     if (complete.empty())
         return;
     std::uintmax_t bytes = room_for_plan;

@@ -17,7 +17,8 @@ enum class Fate
 
 //! Takes runs of a campaign back. Their waves are in progress again, all other results at hand beside the
 //! file, and the campaign goes on: the next session runs what is to be run, and makes the last analysis anew.
-//! A kill in between leaves all or nothing changed. \param reason kept with dropped runs; may be empty
+//! A kill in between loses nothing but what these runs had given.
+//! \param reason kept with dropped runs; may be empty
 //! \throws InputError when there is no such run, when somebody works on the campaign, or when a diagnosis
 //! rests on the runs; FileError
 void take_back(std::filesystem::path const& file, std::vector<int> const& runs, Fate fate,

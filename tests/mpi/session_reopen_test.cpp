@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "ensemble/reopen.hpp"
+#include "ensemble/run/execute.hpp"
 
 #include <cstring>
 
@@ -128,6 +129,23 @@ TEST_F(ReopenTest, AWaveInProgressIsChangedBesideTheFile)
         EXPECT_EQ(run.status, std::count(crashing.begin(), crashing.end(), run.run)
                                   ? rig::RunStatus::dropped
                                   : rig::RunStatus::finished);
+}
+
+TEST_F(ReopenTest, ADroppedRunOfAWaveInProgressKeepsWhatItGave)
+{
+    create(formula_campaign());
+    {
+        Session session(MPI_COMM_WORLD, file_, options());
+        session.plan_wave(WavePurpose::design, points);
+    }
+    run_shards(MPI_COMM_WORLD, file_, 0, 2, options()); // every other run
+    take_back({4}, Fate::drop);
+    EXPECT_EQ(go_on(), WaveEnd::complete);
+    auto const campaign = read();
+    auto const runs = campaign.all_runs();
+    EXPECT_EQ(runs[4].reason, "dropped by hand (was finished)");
+    EXPECT_EQ(runs[4].responses, execute(campaign.input, runs[4], {}).record.responses);
+    EXPECT_EQ(read_run_details(file_, 4, formula_rigs()).snapshots.size(), 2u);
 }
 
 TEST_F(ReopenTest, RefusesWhatIsNotThereAndWhatADiagnosisRestsOn)

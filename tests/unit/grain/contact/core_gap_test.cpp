@@ -1,4 +1,5 @@
 // Distances of cores against exact ones, and against searches that know nothing of simplices.
+#include "tests/unit/grain/contact/nearness.hpp"
 #include "tests/unit/grain/contact/numbers.hpp"
 #include "tests/unit/grain/contact/posed.hpp"
 
@@ -11,12 +12,6 @@ namespace {
 using namespace demens;
 using namespace demens::grain;
 using std::numbers::pi;
-
-void expect_near(Vector3 const& found, Vector3 const& expected, double tolerance)
-{
-    EXPECT_LE(norm(found - expected), tolerance) << found.x << ' ' << found.y << ' ' << found.z << ", not "
-                                                 << expected.x << ' ' << expected.y << ' ' << expected.z;
-}
 
 TEST(CoreGap, OfCubesFaceToFaceEdgeAndVertex)
 {

@@ -1,6 +1,7 @@
 // Contacts of rounded hulls against exact cases, and that their force does not jump.
 #include "demens/grain/contact/wall_contacts.hpp"
 #include "demens/grain/rounded_hull.hpp"
+#include "tests/unit/grain/contact/nearness.hpp"
 #include "tests/unit/grain/contact/numbers.hpp"
 #include "tests/unit/grain/contact/posed.hpp"
 
@@ -14,12 +15,6 @@ namespace {
 using namespace demens;
 using namespace demens::grain;
 using std::numbers::pi;
-
-void expect_near(Vector3 const& found, Vector3 const& expected, double tolerance)
-{
-    EXPECT_LE(norm(found - expected), tolerance) << found.x << ' ' << found.y << ' ' << found.z << ", not "
-                                                 << expected.x << ' ' << expected.y << ' ' << expected.z;
-}
 
 //! Force [N] and torque about the place of the first of contacts whose force is overlap^power.
 struct Wrench
