@@ -30,4 +30,5 @@ function(add_cuda_library name source)
   add_library(${name} SHARED IMPORTED GLOBAL)
   set_target_properties(${name} PROPERTIES IMPORTED_LOCATION ${library} IMPORTED_NO_SONAME ON)
   add_dependencies(${name} ${name}_file)
+  install(FILES ${library} DESTINATION lib/demens) # where the program looks for it, see app/
 endfunction()
