@@ -90,6 +90,10 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
     assert any(note.startswith("not testable") and "lean" in note for note in none["notes"]), "the impact has no gravity"
     assert all(cell["finding"] != "beyond the floor" for cell in none["where"]["cells"])
 
+    # the same laws made what was measured: forms are right to less than a hundredth
+    floor = re.search(r"form_floor = ([0-9.]+) ", run(demens, "gap", "floor", "none.h5"))
+    assert floor and float(floor[1]) < 0.01, floor
+
     soft = diagnose("soft", 2, "material.ball.youngs_modulus=3.5e8", *factors)
     which, where = soft["which"], soft["where"]
     assert which["global_p"] < 0.05 and which["none"] < 0.05, which
