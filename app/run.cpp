@@ -58,10 +58,7 @@ int calibrate(fs::path const& file, bool simulates)
 {
     ensemble::Session session(MPI_COMM_WORLD, file, {.simulates = simulates});
     bool const is_root = ensemble::rank_of(MPI_COMM_WORLD) == 0;
-    auto const end = tao_calib::calibrate(session, MPI_COMM_WORLD, [&](ensemble::Campaign const& campaign) {
-        if (is_root)
-            print_wave(campaign);
-    });
+    auto const end = tao_calib::calibrate(session, MPI_COMM_WORLD, print_wave);
     if (is_root && end != tao_calib::CalibrationEnd::drained)
         fmt::print("{}\n", tao_calib::summary(session.campaign()));
     bool stopped = end == tao_calib::CalibrationEnd::drained;

@@ -87,6 +87,7 @@ struct Wave
     std::vector<NamedArray> analysis;
     double wall_time = 0; //!< [s]
     int groups = 0;
+    bool planned_ahead = false;  //!< before all runs of the wave before it were over
     std::string taken_from = {}; //!< campaign file whose runs these were, with its check sum; empty: own ones
 
     //! The stored array of that name, or null.

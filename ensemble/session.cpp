@@ -2,18 +2,15 @@
 
 #include "demens/base/error.hpp"
 #include "ensemble/file/campaign_file.hpp"
-#include "ensemble/file/run_tables.hpp"
-#include "ensemble/gather.hpp"
-#include "ensemble/run/execute.hpp"
-#include "ensemble/run/schedule.hpp"
 #include "ensemble/run/stop.hpp"
 #include "ensemble/run/wave_runner.hpp"
 #include "ensemble/shared_campaign.hpp"
 #include "ensemble/storage/lock.hpp"
-#include "ensemble/wave_inspection.hpp"
+#include "ensemble/wave_keeper.hpp"
 
 #include <algorithm>
 #include <cassert>
+#include <deque>
 #include <exception>
 #include <fmt/format.h>
 
@@ -22,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::uintmax_t constexpr small_change = 1 << 20; //!< [bytes] of tables without particles
+std::uintmax_t constexpr small_change = 1 << 20; //!< [bytes]
 
 //! Whether any rank is asked to stop. Collective.
 bool is_stop_requested(MPI_Comm communicator)
@@ -48,6 +45,7 @@ struct Session::Implementation
         on_all(communicator, [&] { presence = std::make_unique<PresenceMark>(file); });
         campaign = std::make_unique<Campaign>(read_for_all(communicator, file, options.rigs));
         on_all(communicator, [&] { require_engine(campaign->input.run); });
+        keeper = std::make_unique<WaveKeeper>(file, *campaign, parts);
         groups = std::make_unique<Groups>(communicator, campaign->input.run.ranks_per_group);
         if (is_root() && !campaign->open_wave())
             parts.remove(); // left over from a kill between a gather and its tidying up
@@ -63,82 +61,7 @@ struct Session::Implementation
 
     bool is_root() const { return rank_of(communicator) == 0; }
 
-    //! The state of the wave; runs that are not begun again get their status here.
-    WaveState inspect_and_quarantine(Wave const& wave, Journal* journal)
-    {
-        while (true) {
-            std::map<int, RunHistory> histories;
-            auto state = inspect(communicator, parts, wave, campaign->input, histories);
-            on_root(communicator, [&] {
-                for (int const row : state.poisonous) {
-                    FinishedRun quarantined{wave.runs[static_cast<std::size_t>(row)], {}};
-                    quarantined.record.status = rig::RunStatus::quarantined;
-                    quarantined.record.reason = quarantine_reason(histories[quarantined.record.run]);
-                    parts.store(quarantined, campaign->input, *journal);
-                }
-            });
-            std::vector<int> poisonous(1, static_cast<int>(state.poisonous.size()));
-            broadcast(communicator, poisonous);
-            if (poisonous.front() == 0)
-                return state;
-        }
-    }
-
-    WaveWork look_at(Wave const& wave, std::vector<int>& crcs, Journal* journal)
-    {
-        WaveWork work;
-        std::vector<int> counts(2);
-        auto const state = inspect_and_quarantine(wave, journal);
-        on_root(communicator, [&] {
-            std::map<int, double> measured;
-            for (std::size_t row = 0; row < state.shards.size(); ++row) {
-                auto const& shard = state.shards[row];
-                crcs.push_back(static_cast<int>(shard.crc));
-                if (shard.crc == 0)
-                    continue;
-                if (shard.status == rig::RunStatus::finished)
-                    measured[wave.runs[row].run] = shard.wall_time;
-                work.clock = std::max(work.clock, shard.start_time + shard.wall_time);
-                ++counts[0];
-                counts[1] += rig::has_failed(shard.status);
-            }
-            auto const expected = expected_times(*campaign, wave, measured);
-            work.seconds = expected.seconds;
-            work.limits = wall_time_limits(campaign->input.run, expected);
-            work.pending = longest_first(state.pending, work.seconds);
-            work.suspicious = longest_first(state.suspicious, work.seconds);
-        });
-        broadcast(communicator, work.pending);
-        broadcast(communicator, work.suspicious);
-        broadcast(communicator, counts);
-        broadcast(communicator, crcs);
-        MPI_Bcast(&work.clock, 1, MPI_DOUBLE, 0, communicator);
-        work.done = counts[0];
-        work.failed = counts[1];
-        broadcast(communicator, work.seconds);
-        broadcast(communicator, work.limits);
-        return work;
-    }
-
-    void gather_wave(Wave const& plan, WaveWork const& work, std::vector<int> const& crcs)
-    {
-        FinishedWave finished{plan, {crcs.begin(), crcs.end()}};
-        finished.wave.groups = groups->count();
-        finished.wave.wall_time = work.clock;
-        gather(communicator, file, campaign->input, parts, finished);
-        on_root(communicator, [&] {
-            auto& wave = campaign->waves[static_cast<std::size_t>(plan.number)];
-            wave = read_wave(open_campaign(file), plan.number, campaign->input);
-            if (campaign->open_wave())
-                parts.remove_shards(wave);
-            else
-                parts.remove();
-        });
-        share_wave(communicator, *campaign, plan.number);
-    }
-
-    //! Runs what a wave lacks, and gathers it.
-    WaveEnd run(Wave wave)
+    std::unique_ptr<Journal> begin_journal() const
     {
         std::unique_ptr<Journal> journal;
         on_root(communicator, [&] { parts.make_folder(); });
@@ -147,21 +70,109 @@ struct Session::Implementation
                 journal = std::make_unique<Journal>(parts.folder(),
                                                     fmt::format("rank-{:04}", rank_of(communicator)));
         });
-        for (int round = 0;; ++round) {
-            std::vector<int> crcs;
-            auto const work = look_at(wave, crcs, journal.get());
-            if (work.pending.empty() && work.suspicious.empty()) {
-                gather_wave(wave, work, crcs);
-                return WaveEnd::complete;
+        return journal;
+    }
+
+    bool is_last(int wave) const { return wave + 1 == static_cast<int>(campaign->waves.size()); }
+
+    //! Runs what open waves lack, and gathers them.
+    WaveEnd run(Foresight const& foresight)
+    {
+        auto const journal = begin_journal();
+        std::map<int, int> rounds; // of each wave
+        while (auto const* open = campaign->open_wave()) {
+            int const number = open->number;
+            auto const seen = keeper->look_at(communicator, *open, journal.get());
+            if (seen.work.is_done()) {
+                keeper->gather(communicator, number, seen, groups->count());
+                continue;
             }
             if (!options.simulates || is_stop_requested(communicator))
                 return WaveEnd::drained;
-            if (round == 3) // a second round is due only when a shard was damaged after it was written
+            // Two are due: what can run beside others, and what must not; more only when a shard was damaged
+            // after it was written.
+            if (rounds[number]++ == 4)
                 throw FileError(fmt::format("{}: finished runs cannot be read back; the disk may be failing",
                                             parts.folder().string()));
             WaveRunner runner(communicator, *groups, campaign->input, parts);
-            runner.run(wave, work, journal.get(), options.progress);
+            if (foresight && seen.work.suspicious.empty() && (is_last(number) || is_last(number + 1)))
+                run_looking_ahead(runner, {*open, seen.work}, journal.get(), foresight);
+            else
+                runner.run({{*open, seen.work}}, journal.get(), options.progress);
         }
+        return WaveEnd::complete;
+    }
+
+    //! The last wave, or the last two, and those that are planned meanwhile.
+    void run_looking_ahead(WaveRunner& runner, QueuedWave first, Journal* journal, Foresight const& foresight)
+    {
+        if (is_last(first.wave.number))
+            look_ahead(communicator, foresight);
+        int const before = std::max(0, first.wave.number - 1);
+        std::deque<QueuedWave> queue{std::move(first)};
+        if (!is_last(queue.front().wave.number)) {
+            auto const& second = campaign->waves.back();
+            auto const seen = keeper->look_at(communicator, second, journal);
+            if (!seen.work.suspicious.empty())
+                return runner.run(std::move(queue), journal, options.progress);
+            queue.push_back({second, seen.work});
+        }
+        double clock = 0; // all runs of the queue count their time from the same moment
+        for (auto const& queued : queue)
+            clock = std::max(clock, queued.work.clock);
+        for (auto& queued : queue)
+            queued.work.clock = clock;
+        runner.run(std::move(queue), journal, options.progress,
+                   [&](QueuedWave const& over) { return successor(over, journal, foresight); });
+        share_waves_from(before);
+    }
+
+    //! On rank 0 alone, while the others simulate: gathers a wave whose runs are over, and plans the next but
+    //! one.
+    std::optional<QueuedWave> successor(QueuedWave const& over, Journal* journal, Foresight const& foresight)
+    {
+        int const number = over.wave.number;
+        auto const seen = keeper->look_at(MPI_COMM_SELF, over.wave, journal);
+        if (!seen.work.is_done())
+            return {}; // all ranks will look at it
+        keeper->gather(MPI_COMM_SELF, number, seen, groups->count());
+        if (is_last(number) || !look_ahead(MPI_COMM_SELF, foresight))
+            return {};
+        auto const& next = campaign->waves.back();
+        auto work = keeper->look_at(MPI_COMM_SELF, next, journal).work;
+        work.clock = over.work.clock;
+        return QueuedWave{next, std::move(work)};
+    }
+
+    //! Stores analyses of complete waves and plans the wave after the open one, if that can be. Collective
+    //! over all ranks or rank 0 alone.
+    bool look_ahead(MPI_Comm who, Foresight const& foresight)
+    {
+        LookAhead ahead;
+        std::vector<int> sizes(2);
+        on_root(who, [&] {
+            ahead = foresight(*campaign);
+            sizes = {static_cast<int>(ahead.analyses.size()), ahead.next.has_value()};
+        });
+        broadcast(who, sizes);
+        ahead.analyses.resize(static_cast<std::size_t>(sizes[0]));
+        for (auto& [wave, analysis] : ahead.analyses) {
+            std::vector<int> number{wave};
+            broadcast(who, number);
+            keeper->store_analysis(who, number[0], analysis);
+        }
+        if (sizes[1])
+            keeper->plan(who, ahead.next.value_or(WavePlan{}));
+        return sizes[1] != 0;
+    }
+
+    //! What rank 0 has changed alone.
+    void share_waves_from(int first)
+    {
+        std::vector<int> waves(1, static_cast<int>(campaign->waves.size()));
+        broadcast(communicator, waves);
+        for (int number = first; number < waves[0]; ++number)
+            share_wave(communicator, *campaign, number);
     }
 
     int exceptions_before = std::uncaught_exceptions();
@@ -173,6 +184,7 @@ struct Session::Implementation
     std::unique_ptr<CampaignLock> lock; //!< on rank 0
     std::unique_ptr<PresenceMark> presence;
     std::unique_ptr<Campaign> campaign;
+    std::unique_ptr<WaveKeeper> keeper;
     std::unique_ptr<Groups> groups;
 };
 
@@ -200,45 +212,18 @@ void Session::plan_wave(WavePurpose purpose, std::vector<std::vector<double>> co
 
 void Session::plan_wave(WavePlan const& plan)
 {
-    auto& self = *implementation_;
-    auto& campaign = *self.campaign;
-    assert(!campaign.open_wave());
-    auto const number = static_cast<int>(campaign.waves.size());
-    on_root(self.communicator, [&] {
-        auto wave = plan_runs(campaign, plan);
-        if (wave.runs.empty())
-            throw InputError("a wave needs at least one design point");
-        update_file(self.file, small_change + 256 * wave.runs.size(), [&](hid_t file) {
-            RowWriter writer(file);
-            write_plan(writer, wave, campaign.input);
-        });
-        campaign.waves.push_back(std::move(wave));
-    });
-    share_wave(self.communicator, campaign, number);
+    assert(!implementation_->campaign->open_wave());
+    implementation_->keeper->plan(implementation_->communicator, plan);
 }
 
-WaveEnd Session::run_waves()
+WaveEnd Session::run_waves(Foresight const& foresight)
 {
-    auto& self = *implementation_;
-    while (auto const* open = self.campaign->open_wave())
-        if (self.run(*open) == WaveEnd::drained)
-            return WaveEnd::drained;
-    return WaveEnd::complete;
+    return implementation_->campaign->open_wave() ? implementation_->run(foresight) : WaveEnd::complete;
 }
 
-void Session::store_analysis(std::vector<NamedArray> const& analysis)
+void Session::store_analysis(int wave, std::vector<NamedArray> const& analysis)
 {
-    auto& self = *implementation_;
-    auto& campaign = *self.campaign;
-    auto const number = static_cast<int>(campaign.waves.size()) - 1;
-    on_root(self.communicator, [&] {
-        auto bytes = small_change;
-        for (auto const& array : analysis)
-            bytes += 4096 + 8 * array.data.size();
-        update_file(self.file, bytes, [&](hid_t file) { write_analysis(file, number, analysis); });
-        campaign.waves.back() = read_wave(open_campaign(self.file), number, campaign.input);
-    });
-    share_wave(self.communicator, campaign, number);
+    implementation_->keeper->store_analysis(implementation_->communicator, wave, analysis);
 }
 
 void Session::end(std::string const& reason)

@@ -4,9 +4,12 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mpi.h>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace demens::ensemble {
 
@@ -17,6 +20,15 @@ enum class WaveEnd
     drained //!< asked to stop (SIGUSR1, SIGTERM), or runs are left to others: go on later; the program exits
             //!< with 75
 };
+
+//! What rank 0 makes of a campaign whose last wave is open and whose other waves are complete.
+struct LookAhead
+{
+    //! of complete waves, with their numbers
+    std::vector<std::pair<int, std::vector<NamedArray>>> analyses;
+    std::optional<WavePlan> next; //!< none: what follows depends on the open wave
+};
+using Foresight = std::function<LookAhead(Campaign const&)>;
 
 //! What a session can be told beside the campaign.
 struct SessionOptions
@@ -45,10 +57,11 @@ class Session
     //! The same with all experiments that calibrate and their replicates at each design point (own units).
     void plan_wave(WavePurpose purpose, std::vector<std::vector<double>> const& points);
     //! Runs what waves still lack, first wave first, longest predicted run first, and gathers each into the
-    //! file.
-    WaveEnd run_waves();
-    //! Stores what the calibration made of the runs with the last wave. Rank 0's arguments count.
-    void store_analysis(std::vector<NamedArray> const& analysis);
+    //! file. \param foresight called on rank 0 while the last wave is being run, so that groups which find
+    //! nothing left of it go on with the next; what it says must not depend on the runs of the open wave
+    WaveEnd run_waves(Foresight const& foresight = {});
+    //! Stores what the calibration made of the runs up to a wave. Rank 0's arguments count.
+    void store_analysis(int wave, std::vector<NamedArray> const& analysis);
     //! Marks the campaign as ended for the given reason.
     void end(std::string const& reason);
 

@@ -64,7 +64,12 @@ WaveEnd run_shards(MPI_Comm parent, std::filesystem::path const& file, int task,
     broadcast(communicator, work.pending);
     broadcast(communicator, work.suspicious);
     WaveRunner runner(communicator, groups, campaign.input, parts);
-    runner.run(wave, work, journal.get(), options.progress);
+    auto beside_others = work, alone = work;
+    beside_others.suspicious.clear();
+    alone.pending.clear();
+    for (auto const& one : {beside_others, alone})
+        if (!one.is_done())
+            runner.run({{wave, one}}, journal.get(), options.progress);
     int stopped = StopSignals::request() != StopRequest::none;
     MPI_Allreduce(MPI_IN_PLACE, &stopped, 1, MPI_INT, MPI_MAX, communicator);
     return stopped ? WaveEnd::drained : WaveEnd::complete;

@@ -9,18 +9,6 @@
 namespace demens::ensemble {
 namespace {
 
-//! A wave as a message: a campaign file in memory with this wave only.
-Bytes pack(Wave const& wave, CampaignInput const& input)
-{
-    auto file = hdf5::create_in_memory();
-    RowWriter writer(file);
-    write_plan(writer, wave, input);
-    if (is_complete(wave))
-        write_results(writer, wave, input);
-    write_analysis(file, wave.number, wave.analysis);
-    return file.take_image();
-}
-
 //! Rank 0's files, which may be large and binary. Collective.
 rig::Files share_files(MPI_Comm communicator, rig::Files const& mine)
 {
@@ -72,16 +60,32 @@ Campaign read_for_all(MPI_Comm communicator, std::filesystem::path const& file, 
     return std::move(*campaign);
 }
 
+Bytes packed_wave(Wave const& wave, CampaignInput const& input)
+{
+    auto file = hdf5::create_in_memory();
+    RowWriter writer(file);
+    write_plan(writer, wave, input);
+    if (is_complete(wave))
+        write_results(writer, wave, input);
+    write_analysis(file, wave.number, wave.analysis);
+    return file.take_image();
+}
+
+Wave unpacked_wave(Bytes const& message, int number, CampaignInput const& input)
+{
+    return read_wave(hdf5::open_in_memory(message), number, input);
+}
+
 void share_wave(MPI_Comm communicator, Campaign& campaign, int number)
 {
     auto const place = static_cast<std::size_t>(number);
     Bytes image;
-    on_root(communicator, [&] { image = pack(campaign.waves.at(place), campaign.input); });
+    on_root(communicator, [&] { image = packed_wave(campaign.waves.at(place), campaign.input); });
     broadcast(communicator, image);
     if (rank_of(communicator) == 0)
         return;
     campaign.waves.resize(std::max(campaign.waves.size(), place + 1));
-    campaign.waves[place] = read_wave(hdf5::open_in_memory(image), number, campaign.input);
+    campaign.waves[place] = unpacked_wave(image, number, campaign.input);
 }
 
 } // namespace demens::ensemble

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 namespace demens::report {
@@ -38,15 +39,39 @@ void write_whole(std::filesystem::path const& file, std::string const& text)
     }
 }
 
-} // namespace
-
-void write_report(std::filesystem::path const& campaign_file, std::filesystem::path const& html)
+nlohmann::json read_document(std::filesystem::path const& campaign_file)
 {
     auto const campaign = ensemble::read_campaign_file(campaign_file);
     auto document =
         document_of(campaign, [&](int run) { return ensemble::read_run_details(campaign_file, run); });
     document["file"] = campaign_file.filename().string();
-    write_whole(html, page_of(document, campaign.input.name));
+    return document;
+}
+
+void write_page(nlohmann::json const& document, std::filesystem::path const& html)
+{
+    write_whole(html, page_of(document, document["name"].get<std::string>()));
+}
+
+} // namespace
+
+void write_report(std::filesystem::path const& campaign_file, std::filesystem::path const& html)
+{
+    write_page(read_document(campaign_file), html);
+}
+
+void write_live_report(std::filesystem::path const& campaign_file, std::filesystem::path const& html,
+                       ensemble::CampaignStatus const& status, double reload_every)
+{
+    auto document = read_document(campaign_file);
+    document["live"] = {
+        {"reload_every", reload_every},
+        {"done", status.all.done},
+        {"planned", status.all.planned},
+        {"running", status.all.running},
+        {"failed", status.all.failed},
+        {"time_left", status.time_left ? nlohmann::json(status.time_left->seconds) : nullptr}};
+    write_page(document, html);
 }
 
 } // namespace demens::report

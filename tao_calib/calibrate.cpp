@@ -26,26 +26,77 @@ bool calibrated(ensemble::Campaign const& campaign)
     });
 }
 
-//! Decision and analysis of rank 0. Other ranks learn how it goes on and leave the rest to the session.
+using Analyses = std::vector<std::pair<int, std::vector<NamedArray>>>;
+
+//! The campaign up to a wave.
+ensemble::Campaign up_to(ensemble::Campaign campaign, int wave)
+{
+    campaign.waves.resize(static_cast<std::size_t>(wave) + 1);
+    return campaign;
+}
+
+//! Complete waves that lack their analysis, though the next wave is planned.
+std::vector<int> waves_left_behind(ensemble::Campaign const& campaign)
+{
+    std::vector<int> numbers;
+    for (std::size_t w = 0; w + 1 < campaign.waves.size(); ++w)
+        if (campaign.waves[w + 1].planned_ahead && is_complete(campaign.waves[w]) &&
+            campaign.waves[w].analysis.empty())
+            numbers.push_back(static_cast<int>(w));
+    return numbers;
+}
+
+//! Analyses of these waves, which the campaign has from then on.
+Analyses catch_up(ensemble::Campaign& campaign, LeastSquaresSolver const& solver)
+{
+    Analyses analyses;
+    for (int const number : waves_left_behind(campaign)) {
+        auto const known = up_to(campaign, number);
+        auto analysis = analysis_arrays(known, Assessment(known, solver));
+        campaign.waves[static_cast<std::size_t>(number)].analysis = analysis;
+        analyses.emplace_back(number, std::move(analysis));
+    }
+    return analyses;
+}
+
+//! What rank 0 makes of the runs so far, when no run is in progress. Other ranks learn how it goes on and
+//! leave the rest to the session.
 struct Decision
 {
     NextStep step;
-    std::vector<NamedArray> analysis;
+    Analyses analyses; //!< that the campaign lacks
     std::string error; //!< what went wrong while deciding
 };
 
-Decision decide(ensemble::Campaign const& campaign, LeastSquaresSolver const& solver)
+Decision decide(ensemble::Campaign campaign, LeastSquaresSolver const& solver)
 {
     Decision decision;
     try {
+        decision.analyses = catch_up(campaign, solver);
         Assessment const assessment(campaign, solver);
-        if (!campaign.waves.empty())
-            decision.analysis = analysis_arrays(campaign, assessment);
-        decision.step = plan_next_wave(campaign, assessment, decision.analysis);
+        std::vector<NamedArray> analysis;
+        if (!campaign.waves.empty()) {
+            analysis = analysis_arrays(campaign, assessment);
+            // A campaign killed between its analysis and the next plan has the analysis already.
+            if (campaign.waves.back().analysis.empty())
+                decision.analyses.emplace_back(campaign.waves.back().number, analysis);
+        }
+        auto const overlapping = plan_overlapping_wave(campaign, solver);
+        decision.step = overlapping ? *overlapping : plan_next_wave(campaign, assessment, analysis);
     } catch (std::exception const& problem) {
         decision.error = problem.what();
     }
     return decision;
+}
+
+//! The same while the last wave is in progress, as far as it does not depend on that.
+ensemble::LookAhead look_ahead(ensemble::Campaign campaign, LeastSquaresSolver const& solver)
+{
+    ensemble::LookAhead ahead;
+    ahead.analyses = catch_up(campaign, solver);
+    if (auto const step = plan_overlapping_wave(campaign, solver))
+        ahead.next = ensemble::WavePlan{.purpose = step->purpose, .points = step->points};
+    return ahead;
 }
 
 void broadcast(std::string& text, MPI_Comm communicator)
@@ -90,8 +141,23 @@ CalibrationEnd calibrate(Session& session, MPI_Comm communicator,
         petsc.emplace();
         solver = surrogate_solver(session.campaign().input.solver.kind, *petsc);
     }
+    auto const tell = [&](ensemble::Campaign const& campaign, int wave) {
+        if (rank == 0 && on_wave)
+            on_wave(up_to(campaign, wave));
+    };
+    ensemble::Foresight foresight;
+    if (waves_overlap(session.campaign().input))
+        foresight = [&](ensemble::Campaign const& campaign) {
+            auto ahead = look_ahead(campaign, *solver);
+            auto told = campaign;
+            for (auto const& [wave, analysis] : ahead.analyses) {
+                told.waves[static_cast<std::size_t>(wave)].analysis = analysis;
+                tell(told, wave);
+            }
+            return ahead;
+        };
     while (session.campaign().ended.empty()) {
-        if (session.run_waves() == ensemble::WaveEnd::drained)
+        if (session.run_waves(foresight) == ensemble::WaveEnd::drained)
             return CalibrationEnd::drained;
         Decision decision;
         if (rank == 0)
@@ -100,11 +166,13 @@ CalibrationEnd calibrate(Session& session, MPI_Comm communicator,
         if (!decision.error.empty())
             throw std::runtime_error("the calibration cannot go on: " + decision.error);
         broadcast(decision.step, communicator);
-        // A campaign killed between its analysis and the next plan has the analysis already.
-        if (!session.campaign().waves.empty() && session.campaign().waves.back().analysis.empty()) {
-            session.store_analysis(decision.analysis);
-            if (on_wave)
-                on_wave(session.campaign());
+        int analyses = static_cast<int>(decision.analyses.size());
+        MPI_Bcast(&analyses, 1, MPI_INT, 0, communicator);
+        decision.analyses.resize(static_cast<std::size_t>(analyses));
+        for (auto& [wave, analysis] : decision.analyses) {
+            MPI_Bcast(&wave, 1, MPI_INT, 0, communicator);
+            session.store_analysis(wave, analysis);
+            tell(session.campaign(), wave);
         }
         switch (decision.step.kind) {
         case NextStep::Kind::simulate:

@@ -18,7 +18,7 @@ enum class CalibrationEnd
 
 //! Plans, runs and analyses waves until a stop criterion of the campaign is met. Goes on where the campaign
 //! is. Collective over `communicator`, the one the session was opened with; rank 0 decides. `on_wave` is
-//! called on every rank after each analysed wave.
+//! called on rank 0 after each analysed wave, with the campaign up to that wave.
 CalibrationEnd calibrate(ensemble::Session& session, MPI_Comm communicator = MPI_COMM_WORLD,
                          std::function<void(ensemble::Campaign const&)> const& on_wave = {});
 

@@ -283,6 +283,8 @@ void write_plan(RowWriter& writer, Wave const& wave, CampaignInput const& input)
     writer.make_group(base);
     writer.set_attribute(base, "number", static_cast<std::int64_t>(wave.number));
     writer.set_attribute(base, "purpose", word_for(wave.purpose));
+    if (wave.planned_ahead)
+        writer.set_attribute(base, "planned_ahead", std::int64_t{1});
     if (!wave.taken_from.empty())
         writer.set_attribute(base, "taken_from", wave.taken_from);
     hdf5::Meaning design{
@@ -344,6 +346,8 @@ Wave read_wave(hid_t file, int number, CampaignInput const& input)
     Wave wave;
     wave.number = number;
     wave.purpose = purpose_of(base, hdf5::text_attribute(file, base, "purpose"));
+    wave.planned_ahead = hdf5::has_attribute(file, base, "planned_ahead") &&
+                         hdf5::integer_attribute(file, base, "planned_ahead") != 0;
     if (hdf5::has_attribute(file, base, "taken_from"))
         wave.taken_from = hdf5::text_attribute(file, base, "taken_from");
     wave.runs.resize(hdf5::read<int>(file, table + "run").size());

@@ -83,6 +83,8 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     read_section(file.table("run"), {}, campaign.run);
     tree->engine = campaign.run.engine;
 
+    if (campaign.run.ranks_per_group == 0)
+        campaign.run.ranks_per_group = input::ranks_that_pay(campaign, *tree);
     input::check_sections(file, campaign);
     input::check_rigs(campaign, *tree, experiment_tables);
 

@@ -144,6 +144,8 @@ struct SearchOptions
 {
     SearchKind kind = SearchKind::surrogate_minima;
     int batch = 0; //!< new design points per wave; 0: max(4, 2 x factors), whatever the number of groups
+    //! Waves have half as many points, and the next one is planned before the last one is complete.
+    bool overlap = false;
 };
 
 struct SolverOptions
@@ -167,7 +169,7 @@ struct RunOptions
 {
     static double constexpr limit_by_prediction = -1;
 
-    int ranks_per_group = 1;
+    int ranks_per_group = 1; //!< in a file 0: chosen by the number of particles
     double run_wall_time_s = limit_by_prediction; //!< a run slower than this is `timed_out`; 0: no limit
     rig::EngineChoice engine = rig::EngineChoice::cpu;
     int runs_together = 0; //!< on a device at once; 0: as many as its memory holds

@@ -74,6 +74,10 @@ std::vector<Field<SearchOptions>> const& fields_of()
               {.key = "batch",
                .doc = "new design points per wave; 0: twice the number of factors, at least 4",
                .lower = 0}),
+        field(&SearchOptions::overlap, {.key = "overlap",
+                                        .doc = "waves of half as many points, the next one planned while the "
+                                               "last one is being run, so that no "
+                                               "group waits"}),
     };
     return fields;
 }
@@ -122,8 +126,9 @@ std::vector<Field<RunOptions>> const& fields_of()
     static std::vector<Field<RunOptions>> const fields = {
         field(&RunOptions::ranks_per_group,
               {.key = "ranks_per_group",
-               .doc = "MPI ranks that share one run; pays from some 10,000 particles a rank",
-               .lower = 1}),
+               .doc = "MPI ranks that share one run; pays from some 10,000 particles a rank; 0: so many that "
+                      "each has 10,000 of the largest run at least",
+               .lower = 0}),
         field(&RunOptions::run_wall_time_s,
               {.key = "run_wall_time_s",
                .doc = "a slower run counts as timed out [s]; 0: no limit; -1: 30 times what is "

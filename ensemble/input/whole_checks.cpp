@@ -156,7 +156,46 @@ std::string refusal(CampaignInput const& input, BaseInput const& base, std::size
     return {};
 }
 
+double constexpr particles_a_rank = 1e4;
+
+//! Ranks among which the run of an experiment can be shared, no more than asked for.
+int ranks_that_can_share(CampaignInput const& input, BaseInput const& base, std::size_t experiment, int asked)
+{
+    auto const& rig = *input.experiments[experiment].rig;
+    if (!rig.describe)
+        return 1;
+    auto const run = make_run_input(base, {}, static_cast<int>(experiment), input.seed);
+    for (int ranks = asked; ranks > 1; --ranks)
+        try {
+            rig::programme_of(rig, run, ranks);
+            return ranks;
+        } catch (InputError const&) { // fewer, then
+        }
+    return 1;
+}
+
 } // namespace
+
+int ranks_that_pay(CampaignInput const& input, BaseInput const& base)
+{
+    if (input.run.engine != rig::EngineChoice::cpu)
+        return 1;
+    double most = 0;
+    for (std::size_t e = 0; e < input.experiments.size(); ++e) {
+        try {
+            if (auto const& describe = input.experiments[e].rig->describe)
+                most = std::max(
+                    most,
+                    describe(make_run_input(base, {}, static_cast<int>(e), input.seed)).expected_particles);
+        } catch (InputError const&) {
+            return 1; // check_rigs() says what is wrong
+        }
+    }
+    int ranks = std::max(1, static_cast<int>(most / particles_a_rank));
+    for (std::size_t e = 0; e < input.experiments.size() && ranks > 1; ++e)
+        ranks = ranks_that_can_share(input, base, e, ranks);
+    return ranks;
+}
 
 void check_sections(InputTable const& file, CampaignInput const& input)
 {

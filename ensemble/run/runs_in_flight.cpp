@@ -4,28 +4,28 @@
 
 namespace demens::ensemble {
 
-void RunsInFlight::start(int row, Journal::Company company, double time)
+void RunsInFlight::start(int key, int run, Journal::Company company, double time)
 {
     note_.reset();
-    journal_.start(run_of(row), company);
-    started_[row] = time;
+    journal_.start(run, company);
+    started_[key] = {run, time};
 }
 
-double RunsInFlight::end(int row)
+double RunsInFlight::end(int key)
 {
     note_.reset();
-    return started_.extract(row).mapped();
+    return started_.extract(key).mapped().time;
 }
 
 std::deque<int> RunsInFlight::give_up()
 {
     note_.reset();
-    std::deque<int> rows;
-    for (auto const& [row, time] : std::exchange(started_, {})) {
-        journal_.drain(run_of(row));
-        rows.push_back(row);
+    std::deque<int> keys;
+    for (auto const& [key, one] : std::exchange(started_, {})) {
+        journal_.drain(one.run);
+        keys.push_back(key);
     }
-    return rows;
+    return keys;
 }
 
 void RunsInFlight::note_signals()
@@ -33,10 +33,10 @@ void RunsInFlight::note_signals()
     if (note_)
         return;
     std::string stop_lines;
-    for (auto const& [row, time] : started_)
-        stop_lines += journal_.stop_line(run_of(row));
+    for (auto const& [key, one] : started_)
+        stop_lines += journal_.stop_line(one.run);
     note_.emplace(journal_.descriptor(), stop_lines, [&](int signal) {
-        return started_.size() == 1 ? journal_.crash_line(run_of(started_.begin()->first), signal)
+        return started_.size() == 1 ? journal_.crash_line(started_.begin()->second.run, signal)
                                     : std::string();
     });
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ensemble/campaign.hpp"
 #include "ensemble/run/stop.hpp"
 #include "ensemble/storage/journal.hpp"
 
@@ -10,18 +9,17 @@
 
 namespace demens::ensemble {
 
-//! Runs of a wave that this process has begun and not ended, several at once, and what its journal tells of
-//! them.
+//! Runs that this process has begun and not ended, several at once, and what its journal tells of them.
 class RunsInFlight
 {
   public:
-    RunsInFlight(Journal& journal, Wave const& wave) : journal_(journal), wave_(wave) {}
+    explicit RunsInFlight(Journal& journal) : journal_(journal) {}
 
-    //! \throws FileError
-    void start(int row, Journal::Company company, double time);
+    //! \param key what it is called here \throws FileError
+    void start(int key, int run, Journal::Company company, double time);
     //! Gives back when it was started. What came of it is stored by the caller.
-    double end(int row);
-    //! They are to begin again; gives back their rows. \throws FileError
+    double end(int key);
+    //! They are to begin again; gives back their keys. \throws FileError
     std::deque<int> give_up();
 
     //! From now on signals are noted in the journal for all that are in flight: which of several a crash is
@@ -29,12 +27,15 @@ class RunsInFlight
     void note_signals();
 
   private:
-    int run_of(int row) const { return wave_.runs[static_cast<std::size_t>(row)].run; }
+    struct Started
+    {
+        int run;
+        double time; //!< [s]
+    };
 
     Journal& journal_;
-    Wave const& wave_;
-    std::map<int, double> started_; //!< by row [s]
-    std::optional<CrashNote> note_; //!< none: some have begun or ended since
+    std::map<int, Started> started_; //!< by key
+    std::optional<CrashNote> note_;  //!< none: some have begun or ended since
 };
 
 } // namespace demens::ensemble

@@ -77,35 +77,35 @@ RunsTogether::RunsTogether(CampaignInput const& input, DeviceShare const& share)
 {
 }
 
-std::vector<int> RunsTogether::rows() const
+std::vector<int> RunsTogether::keys() const
 {
-    std::vector<int> rows;
-    for (auto const& [row, plan] : plans_)
-        rows.push_back(row);
-    return rows;
+    std::vector<int> keys;
+    for (auto const& [key, plan] : plans_)
+        keys.push_back(key);
+    return keys;
 }
 
-void RunsTogether::begin(int row, RunRecord const& plan)
+void RunsTogether::begin(int key, RunRecord const& plan)
 {
-    plans_[row] = plan;
+    plans_[key] = plan;
     auto const& rig = *input_.experiments.at(static_cast<std::size_t>(plan.experiment)).rig;
     rig::RunResult result;
     try {
         auto const run_input = run_input_of(input_, plan);
         if (rig.describe)
-            return batch_.begin(row, rig::programme_of(rig, run_input, 1));
+            return batch_.begin(key, rig::programme_of(rig, run_input, 1));
         result = rig.run(run_input, {}); // one that is not described has no part on a device
     } catch (std::exception const& error) {
         result.status = rig::RunStatus::error;
         result.reason = error.what();
     }
-    end(row, std::move(result), 0);
+    end(key, std::move(result), 0);
 }
 
-void RunsTogether::end(int row, rig::RunResult result, double wall_time)
+void RunsTogether::end(int key, rig::RunResult result, double wall_time)
 {
-    ended_.push_back({row, finished_run(input_, plans_.at(row), std::move(result), wall_time)});
-    plans_.erase(row);
+    ended_.push_back({key, finished_run(input_, plans_.at(key), std::move(result), wall_time)});
+    plans_.erase(key);
 }
 
 std::vector<RunsTogether::Ended> RunsTogether::advance()

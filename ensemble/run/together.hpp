@@ -23,34 +23,35 @@ struct DeviceShare
 std::optional<DeviceShare> device_share(MPI_Comm communicator, CampaignInput const& input, Wave const& wave,
                                         std::vector<int> const& rows);
 
-//! Runs of a wave that one device does at once. Whatever goes wrong in one is its status and reason.
+//! Runs that one device does at once. Whatever goes wrong in one is its status and reason.
 class RunsTogether
 {
   public:
     RunsTogether(CampaignInput const& input, DeviceShare const& share);
 
     bool has_room() const { return plans_.size() < device_.slots(); }
-    //! Rows of the wave that are not over.
-    std::vector<int> rows() const;
-    void begin(int row, RunRecord const& plan);
+    //! Keys of those that are not over.
+    std::vector<int> keys() const;
+    //! \param key what it is called here
+    void begin(int key, RunRecord const& plan);
     //! Whether none goes on, and none is over that has not been given yet.
     bool is_empty() const { return plans_.empty() && ended_.empty(); }
 
     struct Ended
     {
-        int row;
+        int key;
         FinishedRun run;
     };
     //! Goes on with all for a moment. \throws std::bad_alloc, dem::DeviceError: then all are to begin again
     std::vector<Ended> advance();
 
   private:
-    void end(int row, rig::RunResult result, double wall_time);
+    void end(int key, rig::RunResult result, double wall_time);
 
     CampaignInput const& input_;
     dem::DeviceBatch device_;
     rig::RunBatch batch_;
-    std::map<int, RunRecord> plans_; //!< by row, of those that are not over
+    std::map<int, RunRecord> plans_; //!< by key, of those that are not over
     std::vector<Ended> ended_;
 };
 

@@ -2,44 +2,23 @@
 
 #include "demens/base/error.hpp"
 #include "demens/dem/engine.hpp"
-#include "ensemble/mpi/shared_counters.hpp"
+#include "ensemble/mpi/patience.hpp"
 #include "ensemble/progress.hpp"
 #include "ensemble/run/execute.hpp"
 #include "ensemble/run/runs_in_flight.hpp"
 #include "ensemble/run/stop.hpp"
 #include "ensemble/run/together.hpp"
+#include "ensemble/run/work_queue.hpp"
 
+#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <deque>
 #include <fmt/format.h>
-#include <thread>
 
 namespace demens::ensemble {
 namespace {
 
-enum Counter
-{
-    next_run,
-    runs_done,
-    runs_failed,
-    microseconds_done,
-    counter_count
-};
-std::int64_t constexpr closed = std::int64_t{1} << 40; //!< added to next_run: nothing is left to take
-int constexpr no_row = -1;
-
-void wait_patiently(MPI_Request& request)
-{
-    int arrived = 0;
-    for (auto pause = std::chrono::microseconds(50);;
-         pause = std::min(2 * pause, std::chrono::microseconds(20000))) {
-        MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
-        if (arrived)
-            return;
-        std::this_thread::sleep_for(pause);
-    }
-}
+int constexpr nothing_more = -1, next_wave = -2; //!< told in place of a run
 
 } // namespace
 
@@ -61,6 +40,7 @@ Groups::Groups(MPI_Comm communicator, int ranks_per_group)
                         ranks_per_group, size, size == 1 ? "" : "s", size));
     count_ = size / ranks_per_group;
     mine_ = rank / ranks_per_group < count_ ? rank / ranks_per_group : -1;
+    all_ = Communicator::split(communicator, mine_ >= 0 ? 0 : -1);
     group_ = Communicator::split(communicator, mine_);
     if (mine_ >= 0 && ranks_per_group > 1)
         team_ = std::make_unique<MpiTeam>(group_);
@@ -76,65 +56,42 @@ int Groups::from_first(int value) const
     return value;
 }
 
-void patient_barrier(MPI_Comm communicator)
-{
-    MPI_Request request;
-    MPI_Ibarrier(communicator, &request);
-    wait_patiently(request);
-}
-
-//! One pass over a list of rows: shared by `pending` (all groups) and `suspicious` (the first group).
+//! One look at a queue of runs by this rank, which has a group.
 class WaveRunner::Pass
 {
   public:
-    Pass(WaveRunner const& runner, Wave const& wave, WaveWork const& work, Journal* journal,
-         std::FILE* progress)
-        : runner_(runner), wave_(wave), work_(work), journal_(journal),
-          device_(device_share(runner.communicator_, runner.input_, wave, work.pending)),
-          counters_(runner.communicator_, counter_count),
-          display_(progress, fmt::format("wave {} ({})", wave.number, word_for(wave.purpose))),
-          begin_(Clock::now())
+    Pass(WaveRunner const& runner, std::deque<QueuedWave> waves, Journal::Company company,
+         std::optional<DeviceShare> const& device, Journal* journal, std::FILE* progress,
+         Successor const& successor)
+        : runner_(runner), company_(company), device_(device), journal_(journal), progress_(progress),
+          successor_(successor),
+          queue_(runner.groups_.all(), runner.input_, std::move(waves), static_cast<bool>(successor)),
+          told_(queue_.known()), is_root_(rank_of(runner.groups_.all()) == 0), begin_(Clock::now())
     {
+        show_front();
     }
 
-    //! Takes rows until none is left, or follows the first rank of the group, which does. The failure is this
+    //! Takes runs until none is left, or follows the first rank of the group, which does. The failure is this
     //! rank's own: it cannot write.
-    Failure take(std::vector<int> const& rows, Journal::Company company)
+    Failure take()
     {
         if (!runner_.groups_.leads()) {
             follow();
             return {};
         }
-        auto const failure = capture([&] {
-            if (device_)
-                return take_together(rows, company);
-            while (auto const row = next_row(rows)) {
-                run_row(*row, company);
-                show();
-            }
-        });
-        if (failure || StopSignals::request() != StopRequest::none)
-            counters_.add(next_run, closed);
-        dismiss();
-        return failure;
-    }
-
-    //! Tells the ranks that follow this one that there is nothing more.
-    void dismiss() { runner_.groups_.from_first(no_row); }
-
-    //! Between two passes. Collective.
-    void rewind(bool is_root)
-    {
-        patient_barrier(runner_.communicator_);
-        if (is_root && counters_.value(next_run) < closed)
-            counters_.add(next_run, -counters_.value(next_run));
-        MPI_Barrier(runner_.communicator_);
+        auto const failure = capture([&] { device_ ? take_together() : take_one_by_one(); });
+        if (failure)
+            queue_.close();
+        tell_of_waves();
+        runner_.groups_.from_first(nothing_more);
+        return failure ? failure : failure_;
     }
 
     void finish()
     {
-        if (rank_of(runner_.communicator_) == 0)
-            display_.finish(state());
+        queue_.finish();
+        if (display_)
+            display_->finish(state());
     }
 
   private:
@@ -142,53 +99,103 @@ class WaveRunner::Pass
 
     double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
-    //! The next row that nobody has; none when all are taken or a stop is asked for.
-    std::optional<int> next_row(std::vector<int> const& rows)
+    //! The next run, if there is one now. `over_` says whether one can still come.
+    std::optional<Place> next()
     {
-        if (StopSignals::request() != StopRequest::none)
+        if (StopSignals::request() != StopRequest::none) {
+            queue_.close();
+            over_ = true;
+        }
+        if (over_)
             return {};
-        auto const i = static_cast<std::size_t>(counters_.add(next_run, 1));
-        return i < rows.size() ? std::optional(rows[i]) : std::nullopt;
+        auto const place = queue_.take();
+        over_ = !place && queue_.is_over();
+        return place;
     }
 
-    //! Takes rows for a device, which does many at once.
-    void take_together(std::vector<int> const& rows, Journal::Company company)
+    void take_one_by_one()
     {
-        RunsInFlight flight(*journal_, wave_);
+        for (Patience patience; !over_;) {
+            attend();
+            if (auto const place = next()) {
+                run_place(*place);
+                patience = {};
+            } else if (!over_) {
+                patience.pause();
+            }
+        }
+    }
+
+    //! What rank 0 does between the looks of a simulation.
+    void attend()
+    {
+        queue_.progress();
+        if (!is_root_)
+            return;
+        if (display_)
+            display_->update(state());
+        if (!successor_ || failure_ || StopSignals::request() != StopRequest::none)
+            return;
+        while (queue_.is_front_done()) {
+            display_->finish(state());
+            failure_ = capture([&] { queue_.settle(successor_(queue_.wave(queue_.front()))); });
+            if (failure_)
+                return queue_.close();
+            show_front();
+        }
+    }
+
+    //! Takes runs for a device, which does many at once.
+    void take_together()
+    {
+        RunsInFlight flight(*journal_);
         try {
-            fly(rows, company, flight);
+            fly(flight);
         } catch (FileError const&) {
             capture([&] { flight.give_up(); }); // not the runs' fault
             throw;
         }
     }
 
-    void fly(std::vector<int> const& rows, Journal::Company company, RunsInFlight& flight)
+    void fly(RunsInFlight& flight)
     {
         auto share = *device_;
-        if (company == Journal::Company::alone)
+        if (company_ == Journal::Company::alone)
             share.runs = 1;
         auto together = std::make_unique<RunsTogether>(runner_.input_, share);
-        std::deque<int> again; // taken, and given up for want of memory
-        bool is_any_left = true;
-        while (true) {
-            while (together->has_room() && (is_any_left || !again.empty())) {
-                auto const row = again.empty() ? next_row(rows) : std::optional(again.front());
-                if (!again.empty())
+        std::deque<Place> again;       // taken, and given up for want of memory
+        auto next_look = Clock::now(); // rank 0 may be slow to answer, and the device must not wait for it
+        for (Patience patience;;) {
+            while (together->has_room()) {
+                std::optional<Place> place;
+                if (!again.empty()) {
+                    place = again.front();
                     again.pop_front();
-                else if (!(is_any_left = row.has_value()))
+                } else if (Clock::now() >= next_look) {
+                    place = next();
+                    if (!place)
+                        next_look = Clock::now() + std::chrono::milliseconds(500);
+                }
+                if (!place)
                     break;
-                flight.start(*row, company, work_.clock + elapsed());
-                together->begin(*row, wave_.runs[static_cast<std::size_t>(*row)]);
+                auto const& plan = queue_.plan_of(*place);
+                flight.start(*place, plan.run, company_, start_time(*place));
+                together->begin(*place, plan);
             }
-            if (together->is_empty())
-                return;
+            attend();
+            if (together->is_empty()) {
+                if (over_)
+                    return;
+                patience.pause(); // a wave may follow
+                continue;
+            }
+            patience = {};
             flight.note_signals();
             try {
                 for (auto& one : together->advance()) {
-                    one.run.record.start_time = flight.end(one.row);
+                    one.run.record.start_time = flight.end(one.key);
                     one.run.record.group = runner_.groups_.mine();
-                    keep(one.row, one.run);
+                    keep(one.key, one.run);
                 }
             } catch (std::bad_alloc const&) {
                 again = give_up_for_memory(*together, flight, share.runs == 1);
@@ -196,8 +203,6 @@ class WaveRunner::Pass
                 together.reset(); // its memory first
                 together = std::make_unique<RunsTogether>(runner_.input_, share);
             }
-            counters_.progress();
-            show();
             if (StopSignals::should_stop_run()) {
                 flight.give_up();
                 return;
@@ -205,112 +210,136 @@ class WaveRunner::Pass
         }
     }
 
-    //! Rows that are to begin again with fewer slots; where there is but one, its run has failed.
-    std::deque<int> give_up_for_memory(RunsTogether const& together, RunsInFlight& flight, bool has_one_slot)
+    //! Those that are to begin again with fewer slots; where there is but one, its run has failed.
+    std::deque<Place> give_up_for_memory(RunsTogether const& together, RunsInFlight& flight,
+                                         bool has_one_slot)
     {
         auto again = flight.give_up();
         if (has_one_slot)
-            for (int const row : together.rows()) {
-                std::erase(again, row);
-                keep(row, without_memory(row));
+            for (Place const place : together.keys()) {
+                std::erase(again, place);
+                keep(place, without_memory(place));
             }
         return again;
     }
 
-    FinishedRun without_memory(int row) const
+    FinishedRun without_memory(Place place) const
     {
-        return finished_run(runner_.input_, wave_.runs[static_cast<std::size_t>(row)],
+        return finished_run(runner_.input_, queue_.plan_of(place),
                             {.status = rig::RunStatus::error, .reason = "not enough memory on the device"},
                             0);
     }
 
-    void keep(int row, FinishedRun const& finished)
+    void keep(Place place, FinishedRun const& finished)
     {
         runner_.parts_.store(finished, runner_.input_, *journal_);
-        counters_.add(runs_done, 1);
-        counters_.add(runs_failed, rig::has_failed(finished.record.status));
-        counters_.add(microseconds_done, std::llround(1e6 * work_.seconds[static_cast<std::size_t>(row)]));
+        queue_.count(place, rig::has_failed(finished.record.status));
     }
 
     //! Only the first rank of the group keeps what comes out; it comes out alike on all.
     void follow()
     {
-        for (int row; (row = runner_.groups_.from_first(no_row)) != no_row;)
-            try {
-                simulate(row);
-            } catch (rig::RunInterrupted const&) { // so is the first rank, and it will say what comes next
-            }
+        for (int told; (told = runner_.groups_.from_first(nothing_more)) != nothing_more;)
+            if (told == next_wave)
+                queue_.receive();
+            else
+                try {
+                    simulate(told);
+                } catch (rig::RunInterrupted const&) { // so is the first rank, and it says what comes next
+                }
     }
 
-    void run_row(int row, Journal::Company company)
+    //! The followers of this rank learn of the waves that it has learnt of.
+    void tell_of_waves()
     {
-        auto const& plan = wave_.runs[static_cast<std::size_t>(row)];
-        journal_->start(plan.run, company);
-        runner_.groups_.from_first(row);
+        for (; told_ < queue_.known(); ++told_)
+            runner_.groups_.from_first(next_wave);
+    }
+
+    //! [s] since its wave began; of a wave that was added, since the first one of the queue did.
+    double start_time(Place place) const { return queue_.wave_of(place).work.clock + elapsed(); }
+
+    void run_place(Place place)
+    {
+        int const run = queue_.plan_of(place).run;
+        journal_->start(run, company_);
+        tell_of_waves();
+        runner_.groups_.from_first(place);
         try {
-            double const start_time = work_.clock + elapsed();
-            auto finished = simulate_noting_crashes(row);
+            double const begin = start_time(place);
+            auto finished = simulate_noting_crashes(place);
             finished.record.group = runner_.groups_.mine();
-            finished.record.start_time = start_time;
-            keep(row, finished);
+            finished.record.start_time = begin;
+            keep(place, finished);
         } catch (rig::RunInterrupted const&) {
-            journal_->drain(plan.run);
-            return;
+            journal_->drain(run);
         } catch (FileError const&) {
-            capture([&] { journal_->drain(plan.run); }); // not the run's fault
+            capture([&] { journal_->drain(run); }); // not the run's fault
             throw;
         }
     }
 
-    FinishedRun simulate_noting_crashes(int row)
+    FinishedRun simulate_noting_crashes(Place place)
     {
-        auto const& plan = wave_.runs[static_cast<std::size_t>(row)];
-        CrashNote const note(journal_->descriptor(), journal_->stop_line(plan.run),
-                             [&](int signal) { return journal_->crash_line(plan.run, signal); });
-        return simulate(row);
+        int const run = queue_.plan_of(place).run;
+        CrashNote const note(journal_->descriptor(), journal_->stop_line(run),
+                             [&](int signal) { return journal_->crash_line(run, signal); });
+        return simulate(place);
     }
 
-    FinishedRun simulate(int row)
+    FinishedRun simulate(Place place)
     {
+        auto const row = static_cast<std::size_t>(queue_.row_of(place));
         rig::RunHooks hooks;
         hooks.team = runner_.groups_.team();
-        hooks.wall_time_limit = work_.limits[static_cast<std::size_t>(row)];
+        hooks.wall_time_limit = queue_.wave_of(place).work.limits[row];
         hooks.should_stop = [this] {
-            counters_.progress();
-            show();
+            attend();
             return StopSignals::should_stop_run();
         };
-        return execute(runner_.input_, wave_.runs[static_cast<std::size_t>(row)], hooks);
+        return execute(runner_.input_, queue_.plan_of(place), hooks);
+    }
+
+    //! From now on the first wave that is not settled is shown.
+    void show_front()
+    {
+        display_.reset();
+        if (!is_root_ || queue_.front() == queue_.known())
+            return;
+        auto const& wave = queue_.wave(queue_.front()).wave;
+        display_.emplace(progress_, fmt::format("wave {} ({})", wave.number, word_for(wave.purpose)));
+        shown_since_ = elapsed();
     }
 
     ProgressState state()
     {
+        auto const& [wave, work] = queue_.wave(queue_.front());
+        auto const done = queue_.done(queue_.front());
         ProgressState state;
-        state.runs = static_cast<int>(wave_.runs.size());
-        state.done = work_.done + static_cast<int>(counters_.value(runs_done));
-        state.failed = work_.failed + static_cast<int>(counters_.value(runs_failed));
-        for (auto const* rows : {&work_.pending, &work_.suspicious})
-            for (int const row : *rows)
-                state.work += work_.seconds[static_cast<std::size_t>(row)];
-        state.work_done = 1e-6 * static_cast<double>(counters_.value(microseconds_done));
+        state.runs = static_cast<int>(wave.runs.size());
+        state.done = work.done + done.runs;
+        state.failed = work.failed + done.failed;
+        for (int const row : work.pending)
+            state.work += work.seconds[static_cast<std::size_t>(row)];
+        state.work_done = done.seconds;
         state.groups = runner_.groups_.count();
-        state.elapsed = elapsed();
+        state.elapsed = elapsed() - shown_since_;
         return state;
     }
 
-    void show()
-    {
-        if (rank_of(runner_.communicator_) == 0)
-            display_.update(state());
-    }
-
     WaveRunner const& runner_;
-    Wave const& wave_;
-    WaveWork const& work_;
+    Journal::Company company_;
+    std::optional<DeviceShare> const& device_; //!< none: processors
     Journal* journal_;
-    std::optional<DeviceShare> device_; //!< none: processors
-    SharedCounters counters_;
-    ProgressDisplay display_;
+    std::FILE* progress_;
+    Successor const& successor_;
+    WorkQueue queue_;
+    int told_; //!< waves of which this rank's followers know
+    bool is_root_;
+    bool over_ = false;                      //!< there is nothing to take, now or later
+    Failure failure_;                        //!< of the successor
+    std::optional<ProgressDisplay> display_; //!< of rank 0
+    double shown_since_ = 0;                 //!< [s]
     Clock::time_point begin_;
 };
 
@@ -320,21 +349,23 @@ WaveRunner::WaveRunner(MPI_Comm communicator, Groups const& groups, CampaignInpu
 {
 }
 
-void WaveRunner::run(Wave const& wave, WaveWork const& work, Journal* journal, std::FILE* progress)
+void WaveRunner::run(std::deque<QueuedWave> waves, Journal* journal, std::FILE* progress,
+                     Successor const& successor)
 {
-    Pass pass(*this, wave, work, journal, progress);
+    auto& first = waves.front();
+    bool const alone = first.work.pending.empty();
+    if (alone)
+        first.work.pending = first.work.suspicious;
+    auto const device = device_share(communicator_, input_, first.wave, first.work.pending);
     Failure failure;
-    if (groups_.mine() >= 0)
-        failure = pass.take(work.pending, Journal::Company::others);
-    pass.rewind(rank_of(communicator_) == 0);
-    if (groups_.mine() == 0) {
-        if (failure)
-            pass.dismiss();
-        else
-            failure = pass.take(work.suspicious, Journal::Company::alone);
+    if (groups_.mine() >= 0) {
+        Pass pass(*this, std::move(waves), alone ? Journal::Company::alone : Journal::Company::others, device,
+                  journal, progress, successor);
+        if (!alone || groups_.mine() == 0)
+            failure = pass.take();
+        pass.finish();
     }
     patient_barrier(communicator_);
-    pass.finish();
     agree(communicator_, failure);
 }
 

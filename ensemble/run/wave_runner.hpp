@@ -4,11 +4,13 @@
 #include "ensemble/input/campaign_input.hpp"
 #include "ensemble/mpi/agreement.hpp"
 #include "ensemble/mpi/mpi_team.hpp"
+#include "ensemble/run/wave_work.hpp"
 
 #include <cstdio>
+#include <deque>
+#include <functional>
 #include <memory>
-#include <string>
-#include <vector>
+#include <optional>
 
 namespace demens::ensemble {
 
@@ -25,6 +27,8 @@ class Groups
     int count() const { return count_; }
     //! This rank's group; -1: none.
     int mine() const { return mine_; }
+    //! The ranks that have a group; null on others.
+    MPI_Comm all() const { return all_; }
     //! Whether this rank is the first of its group, the one that takes runs and stores them.
     bool leads() const { return mine_ >= 0 && rank_of(group_) == 0; }
     //! This rank's group, as those who share a simulation; null where it has one rank.
@@ -34,31 +38,26 @@ class Groups
 
   private:
     int count_ = 0, mine_ = -1;
-    Communicator group_;
+    Communicator all_, group_;
     std::unique_ptr<MpiTeam> team_;
 };
 
-//! What a wave is to be run with; the same on all ranks.
-struct WaveWork
-{
-    std::vector<int> pending;    //!< rows, in the order in which they begin
-    std::vector<int> suspicious; //!< rows to run one at a time after the others
-    std::vector<double> seconds; //!< expected wall time of every row of the wave
-    std::vector<double> limits;  //!< [s] wall time after which its run is given up; 0: none
-    double clock = 0;            //!< [s] working time of the wave so far
-    int done = 0, failed = 0;    //!< runs of the wave that are complete
-};
-
-//! Runs what a wave lacks: every group takes the next run when it is free, and all its ranks simulate it. No
+//! Runs what waves lack: every group takes the next run when it is free, and all its ranks simulate it. No
 //! exception of a run leaves it.
 class WaveRunner
 {
   public:
+    //! What rank 0 adds when the pending runs of a wave are over, if anything; called between and during its
+    //! own runs.
+    using Successor = std::function<std::optional<QueuedWave>(QueuedWave const& over)>;
+
     WaveRunner(MPI_Comm communicator, Groups const& groups, CampaignInput const& input, Parts const& parts);
 
-    //! Collective. Ends when nothing is left or a stop is requested. \throws FileError on all ranks when a
-    //! rank cannot write
-    void run(Wave const& wave, WaveWork const& work, Journal* journal, std::FILE* progress);
+    //! All pending runs, or, where the first wave has none, its suspicious ones by one group. Ends when
+    //! nothing is left or a stop is requested. The waves are the same on all ranks. Collective.
+    //! \throws FileError on all ranks when a rank cannot write
+    void run(std::deque<QueuedWave> waves, Journal* journal, std::FILE* progress,
+             Successor const& successor = {});
 
   private:
     class Pass;
@@ -68,8 +67,5 @@ class WaveRunner
     CampaignInput const& input_;
     Parts const& parts_;
 };
-
-//! Waits for all ranks without taking their cores.
-void patient_barrier(MPI_Comm communicator);
 
 } // namespace demens::ensemble

@@ -102,8 +102,12 @@ class Reader
             auto const* history = found == histories.end() ? nullptr : &found->second;
             bool const runs =
                 history && history->open && !status_.owner.empty() && history->begun >= begun_after;
-            if (history)
-                shown.begun_again += std::max(0, history->deaths + history->deaths_alone - (runs ? 1 : 0));
+            if (history) {
+                shown.begun_again.lost +=
+                    std::max(0, history->deaths + history->deaths_alone - (runs ? 1 : 0));
+                shown.begun_again.crashed += history->crashes;
+                shown.begun_again.stopped += history->stops;
+            }
             if (history && !history->shard_crcs.empty() && take_shard(shown, parts, plan, *history))
                 continue;
             double left = expected.seconds[row];

@@ -25,6 +25,17 @@ struct RunCounts
     int planned = 0, done = 0, failed = 0, running = 0, dropped = 0; //!< failed and dropped ones are done
 };
 
+//! Starts of runs after which nothing came, and which are made again. None of them is a result, so that no
+//! fit and no search knows of them; a run that its point kills again and again becomes `quarantined`.
+struct StartsWithoutEnd
+{
+    int lost = 0;    //!< without a word: the machine, its memory or a kill
+    int crashed = 0; //!< with a deadly signal of the program itself
+    int stopped = 0; //!< given up when the session was asked to stop
+
+    bool any() const { return lost + crashed + stopped > 0; }
+};
+
 //! A wave as far as it is.
 struct WaveStatus
 {
@@ -32,10 +43,9 @@ struct WaveStatus
     WavePurpose purpose = WavePurpose::design;
     RunCounts runs;
     bool is_complete = false;
-    double wall_time = 0;  //!< [s]; of a complete wave
-    double busy_share = 0; //!< of its groups' time spent in runs; NaN while it goes on
-    int begun_again =
-        0; //!< starts of its runs that ended with the machine, a signal or the program; 0 once complete
+    double wall_time = 0;         //!< [s]; of a complete wave
+    double busy_share = 0;        //!< of its groups' time spent in runs; NaN while it goes on
+    StartsWithoutEnd begun_again; //!< of its runs; zeros once it is complete
 };
 
 //! Runs that did not finish, by how they ended.

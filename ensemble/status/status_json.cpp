@@ -40,7 +40,9 @@ json waves_of(CampaignStatus const& status)
                         {"complete", wave.is_complete},
                         {"wall_time_s", wave.is_complete ? number(wave.wall_time) : json(nullptr)},
                         {"busy_share", number(wave.busy_share)},
-                        {"starts_lost", wave.begun_again}});
+                        {"starts_lost", wave.begun_again.lost},
+                        {"starts_crashed", wave.begun_again.crashed},
+                        {"starts_stopped", wave.begun_again.stopped}});
     return list;
 }
 

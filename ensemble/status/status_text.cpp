@@ -57,6 +57,21 @@ std::string failures_text(CampaignStatus const& status)
     return text.empty() ? text : text + "\n";
 }
 
+//! Why runs of a wave are begun again.
+std::string starts_text(WaveStatus const& wave)
+{
+    std::string text;
+    auto const tell = [&](char const* word, int starts, char const* what) {
+        if (starts > 0)
+            text += fmt::format("{:<10} {} start{} of wave {} {}; begun again\n", word, starts,
+                                starts == 1 ? "" : "s", wave.number, what);
+    };
+    tell("lost", wave.begun_again.lost, "ended without a word (machine, memory, kill)");
+    tell("crashed", wave.begun_again.crashed, "ended with a deadly signal");
+    tell("stopped", wave.begun_again.stopped, "given up when asked to stop");
+    return text;
+}
+
 std::string progress_text(CampaignStatus const& status)
 {
     std::string text;
@@ -70,11 +85,7 @@ std::string progress_text(CampaignStatus const& status)
     if (status.in_progress.size() > shown)
         text += fmt::format("           and {} more\n", status.in_progress.size() - shown);
     for (auto const& wave : status.waves)
-        if (wave.begun_again > 0)
-            text +=
-                fmt::format("lost       {} start{} of wave {} ended with the machine or a signal; these runs "
-                            "are begun again\n",
-                            wave.begun_again, wave.begun_again == 1 ? "" : "s", wave.number);
+        text += starts_text(wave);
     return text;
 }
 

@@ -76,8 +76,10 @@ void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
     auto in = lines_of(file);
     std::map<int, Entry> open; // by run
     auto const count_death = [&](Entry const& start) {
-        if (!start.was_asked_to_end)
-            ++(start.verb == "ALONE" ? histories[start.run].deaths_alone : histories[start.run].deaths);
+        auto& history = histories[start.run];
+        ++(start.was_asked_to_end  ? history.stops
+           : start.verb == "ALONE" ? history.deaths_alone
+                                   : history.deaths);
     };
     auto const count_deaths = [&] {
         for (auto const& [run, start] : open)
@@ -107,6 +109,7 @@ void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
                 history.status = entry->status;
                 history.seconds = entry->seconds;
             }
+            history.stops += entry->verb == "DRAIN";
             if (entry->verb == "CRASH") {
                 ++history.crashes;
                 history.crash = "signal " + entry->value;

@@ -57,6 +57,7 @@ struct RunHistory
     int deaths = 0;                        //!< starts that ended without a word, with other runs beside it
     int deaths_alone = 0;                  //!< the same with nothing beside it
     int crashes = 0;                       //!< deadly signals
+    int stops = 0;                         //!< starts given up on request
     std::string crash;                     //!< the last of them, e.g. "signal 11"
     bool open = false;                     //!< a start is the last line of a journal: running, or killed
     double begun = 0;                      //!< [s] since 1970, of that start

@@ -1,5 +1,5 @@
 // The page, from top to bottom. The document `campaign` has: name, file, seed, ended, stop, factors, constraints,
-// experiments, targets, warnings, waves (with their runs), history, optimum, values, progress, surrogate, details (pictures, series), gap, input.
+// experiments, targets, warnings, live (while it is worked on), waves (with their runs), history, optimum, values, progress, surrogate, details (pictures, series), gap, input.
 
 function show_headline() {
     section('name').textContent = campaign.name;
@@ -26,11 +26,18 @@ function show_headline() {
     ];
     section('tiles').append(...tiles);
     section('ended').append(element('b', {}, campaign.ended ? 'Ended: ' : 'Not ended yet. '),
-                            campaign.ended || 'The same command goes on with it.');
+                            campaign.ended || (campaign.live ? live_text(campaign.live) : 'The same command goes on with it.'));
     for (const warning of campaign.warnings)
         section('ended').after(element('p', {class: 'bad'}, `Warning: ${warning}.`));
     if (campaign.constraints.length > 0)
         section('ended').after(element('p', {class: 'note'}, `Kept throughout: ${campaign.constraints.join(', ')}.`));
+}
+
+function live_text(live) {
+    return `${live.done} of ${plural(live.planned, 'run')} done, ${live.running} in progress`
+        + (live.failed > 0 ? `, ${live.failed} failed` : '')
+        + (known(live.time_left) ? `; this wave takes another ${duration(live.time_left)}` : '')
+        + `. This page loads itself again every ${duration(live.reload_every)}.`;
 }
 
 function show_input(parent) {
@@ -59,3 +66,5 @@ for (const [id, show] of Object.entries(parts)) {
     }
 }
 Promise.all(pending_plots).then(() => { document.body.dataset.ready = 'yes'; });
+if (campaign.live)
+    setTimeout(() => location.reload(), 1000 * campaign.live.reload_every);

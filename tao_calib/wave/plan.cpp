@@ -12,6 +12,7 @@ namespace demens::tao_calib {
 namespace {
 
 using ensemble::Campaign;
+using ensemble::RunRecord;
 using ensemble::WavePurpose;
 
 constexpr std::uint64_t search_stream = 0x736561726368; // "search"
@@ -76,8 +77,27 @@ NextStep wave(WavePurpose purpose, std::vector<std::vector<double>> points)
 
 int batch_size(Campaign const& campaign)
 {
-    int const asked = campaign.input.search.batch;
-    return asked > 0 ? asked : std::max(4, 2 * static_cast<int>(campaign.input.factors.size()));
+    auto const& search = campaign.input.search;
+    int const batch =
+        search.batch > 0 ? search.batch : std::max(4, 2 * static_cast<int>(campaign.input.factors.size()));
+    // Two halves on their way at a time: each point is chosen without the results of as many others as in a
+    // whole batch.
+    return waves_overlap(campaign.input) ? (batch + 1) / 2 : batch;
+}
+
+//! The campaign as if no run of the last wave had ended.
+Campaign without_last_results(Campaign campaign)
+{
+    auto& wave = campaign.waves.back();
+    wave.analysis.clear();
+    for (auto& run : wave.runs) {
+        RunRecord plan;
+        plan.run = run.run, plan.wave = run.wave, plan.point = run.point, plan.experiment = run.experiment;
+        plan.replicate = run.replicate, plan.seed = run.seed, plan.factors = run.factors;
+        plan.predicted_cost = run.predicted_cost;
+        run = std::move(plan);
+    }
+    return campaign;
 }
 
 NextStep screening_wave(Campaign const& campaign)
@@ -273,6 +293,27 @@ NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment,
     if (points.empty())
         return confirm_or_finish(campaign, best, budget, nothing_left(campaign, assessment));
     return wave(WavePurpose::search, std::move(points));
+}
+
+bool waves_overlap(ensemble::CampaignInput const& input)
+{
+    using ensemble::SearchKind;
+    auto const kind = input.search.kind;
+    // The others follow a path: a step without the result of the one before leads astray.
+    return input.search.overlap && kind != SearchKind::pounders_direct &&
+           kind != SearchKind::response_surface;
+}
+
+std::optional<NextStep> plan_overlapping_wave(Campaign const& campaign, LeastSquaresSolver const& solver)
+{
+    if (!waves_overlap(campaign.input) || campaign.waves.empty() ||
+        campaign.waves.back().purpose != WavePurpose::search)
+        return {};
+    auto const known = without_last_results(campaign);
+    auto step = plan_next_wave(known, Assessment(known, solver));
+    if (step.kind != NextStep::Kind::simulate || step.purpose != WavePurpose::search)
+        return {};
+    return step;
 }
 
 } // namespace demens::tao_calib

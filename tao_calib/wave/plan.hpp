@@ -2,6 +2,7 @@
 
 #include "tao_calib/wave/assessment.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,5 +30,12 @@ NextStep first_wave(ensemble::CampaignInput const& input);
 //! \param analysis arrays of the last wave, where they are not stored with it yet
 NextStep plan_next_wave(ensemble::Campaign const& campaign, Assessment const& assessment,
                         std::vector<ensemble::NamedArray> const& analysis = {});
+
+//! Whether the waves of the search overlap.
+bool waves_overlap(ensemble::CampaignInput const& input);
+//! Where waves overlap and the last wave searches: the wave after it, from all runs but those of the last
+//! wave, whether they are there or not. None where it depends on them what comes next.
+std::optional<NextStep> plan_overlapping_wave(ensemble::Campaign const& campaign,
+                                              LeastSquaresSolver const& solver);
 
 } // namespace demens::tao_calib

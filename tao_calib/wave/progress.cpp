@@ -39,10 +39,17 @@ NamedArray const* find_in(std::vector<NamedArray> const& arrays, stored::ArrayNa
     return found == arrays.end() ? nullptr : &*found;
 }
 
+//! Waves whose results are there; the last one may be on its way.
+std::size_t known_waves(ensemble::Campaign const& campaign)
+{
+    auto const& waves = campaign.waves;
+    return waves.size() - (waves.empty() || ensemble::is_complete(waves.back()) ? 0 : 1);
+}
+
 std::vector<NamedArray> const& last_analysis(ensemble::Campaign const& campaign,
                                              std::vector<NamedArray> const& latest)
 {
-    auto const& stored = campaign.waves.back().analysis;
+    auto const& stored = campaign.waves.at(known_waves(campaign) - 1).analysis;
     return stored.empty() ? latest : stored;
 }
 
@@ -59,7 +66,7 @@ int waves_in_vain(ensemble::Campaign const& campaign, Assessment const& assessme
         }
     double record = HUGE_VAL;
     int in_vain = 0;
-    for (std::size_t w = 0; w < least.size(); ++w) {
+    for (std::size_t w = 0; w < known_waves(campaign); ++w) {
         double const noticed =
             std::max(noticed_per_target * static_cast<double>(targets.size()), noticed_share * record);
         if (!std::isfinite(record) ? std::isfinite(least[w]) : least[w] < record - noticed)
@@ -109,11 +116,11 @@ bool best_is_as_good_as_can_be(ensemble::Campaign const& campaign, Assessment co
 
 bool intervals_settled(ensemble::Campaign const& campaign, std::vector<NamedArray> const& latest)
 {
-    auto const& waves = campaign.waves;
-    if (waves.size() < 2)
+    auto const known = known_waves(campaign);
+    if (known < 2)
         return false;
     auto const* last = find_in(last_analysis(campaign, latest), stored::optimum::factor_interval);
-    auto const* before = find_in(waves[waves.size() - 2].analysis, stored::optimum::factor_interval);
+    auto const* before = find_in(campaign.waves[known - 2].analysis, stored::optimum::factor_interval);
     if (!last || !before || last->data.size() != before->data.size())
         return false;
     for (std::size_t i = 0; i + 1 < last->data.size(); i += 2) {

@@ -2,6 +2,7 @@
 // [options]`.
 //   create FILE [TOML line...]   a new campaign; the lines go into the table of the first experiment
 //   run FILE WAVES POINTS        (under mpirun) goes on until WAVES waves are complete
+//   overlap FILE WAVES POINTS    the same; each wave is planned while the one before is being run
 //   plan FILE POINTS             (under mpirun) plans the next wave and runs nothing
 //   shards FILE TASK TASKS       (under mpirun) one task of a job array
 //   dump FILE                    results as text, every bit of them; without what depends on the clock
@@ -33,39 +34,66 @@ Rigs const& driver_rigs()
     return rigs;
 }
 
-//! The next wave depends on the responses of the last one, so that a lost or changed result shows in all that
-//! follows.
-std::vector<std::vector<double>> next_points(Campaign const& campaign, int count)
+//! Depends on the responses of a wave, so that a lost or changed result shows in all that follows.
+std::vector<std::vector<double>> points_after(Campaign const& campaign, int wave, int count)
 {
     double carried = 0.5;
-    if (!campaign.waves.empty())
-        for (auto const& run : campaign.waves.back().runs)
+    if (wave >= 0)
+        for (auto const& run : campaign.waves.at(static_cast<std::size_t>(wave)).runs)
             if (run.status == rig::RunStatus::finished)
                 carried = std::fmod(carried + 7 * run.responses[0] + run.responses[1], 1.0);
-    RandomStream random(derive_seed(static_cast<std::uint64_t>(carried * 0x1p53), campaign.waves.size()));
+    RandomStream random(
+        derive_seed(static_cast<std::uint64_t>(carried * 0x1p53), static_cast<std::uint64_t>(wave + 1)));
     std::vector<std::vector<double>> points;
     for (int i = 0; i < count; ++i)
         points.push_back({random.uniform(), random.uniform()});
     return points;
 }
 
-int run(std::string const& file, int waves, int points)
+std::vector<NamedArray> analysis_of(Campaign const& campaign, int wave)
+{
+    return {{"optimum/carried",
+             {1},
+             {points_after(campaign, wave, 1)[0][0]},
+             "1",
+             "what the next wave depends on"}};
+}
+
+//! Complete waves without an analysis.
+std::vector<int> waves_to_analyse(Campaign const& campaign)
+{
+    std::vector<int> waves;
+    for (auto const& wave : campaign.waves)
+        if (is_complete(wave) && wave.analysis.empty())
+            waves.push_back(wave.number);
+    return waves;
+}
+
+//! \param lag waves before the last whose responses a new one depends on: 1 where waves overlap, else 0
+int run(std::string const& file, int waves, int points, int lag)
 {
     Session session(MPI_COMM_WORLD, file, {.rigs = driver_rigs(), .progress = stderr});
     auto const& campaign = session.campaign();
-    auto const is_done = [&] {
-        return !campaign.waves.empty() && campaign.waves.back().analysis.size() == 1;
+    auto const next = [&](Campaign const& now) {
+        int const last = static_cast<int>(now.waves.size()) - 1;
+        return WavePlan{.purpose = WavePurpose::search, .points = points_after(now, last - lag, points)};
     };
-    while (static_cast<int>(campaign.waves.size()) < waves || !is_done()) {
-        if (campaign.waves.empty() || is_done())
-            session.plan_wave(WavePurpose::search, next_points(campaign, points));
-        if (session.run_waves() == WaveEnd::drained)
+    Foresight const foresight = [&](Campaign const& now) {
+        LookAhead ahead;
+        for (int const wave : waves_to_analyse(now))
+            ahead.analyses.emplace_back(wave, analysis_of(now, wave));
+        if (static_cast<int>(now.waves.size()) < waves)
+            ahead.next = next(now);
+        return ahead;
+    };
+    while (true) {
+        if (session.run_waves(lag > 0 ? foresight : Foresight()) == WaveEnd::drained)
             return 75;
-        session.store_analysis({{"optimum/carried",
-                                 {1},
-                                 {next_points(campaign, 1)[0][0]},
-                                 "1",
-                                 "what the next wave depends on"}});
+        for (int const wave : waves_to_analyse(campaign))
+            session.store_analysis(wave, analysis_of(campaign, wave));
+        if (static_cast<int>(campaign.waves.size()) >= waves)
+            break;
+        session.plan_wave(next(campaign));
     }
     session.end("as many waves as asked for");
     return 0;
@@ -107,10 +135,13 @@ int with_mpi(std::vector<std::string> const& arguments)
         auto const& file = arguments.at(1);
         if (arguments[0] == "plan") {
             Session session(MPI_COMM_WORLD, file, {.rigs = driver_rigs(), .progress = nullptr});
+            auto const& waves = session.campaign().waves;
             session.plan_wave(WavePurpose::search,
-                              next_points(session.campaign(), std::stoi(arguments.at(2))));
-        } else if (arguments[0] == "run")
-            code = run(file, std::stoi(arguments.at(2)), std::stoi(arguments.at(3)));
+                              points_after(session.campaign(), static_cast<int>(waves.size()) - 1,
+                                           std::stoi(arguments.at(2))));
+        } else if (arguments[0] == "run" || arguments[0] == "overlap")
+            code =
+                run(file, std::stoi(arguments.at(2)), std::stoi(arguments.at(3)), arguments[0] == "overlap");
         else if (run_shards(MPI_COMM_WORLD, file, std::stoi(arguments.at(2)), std::stoi(arguments.at(3)),
                             {.rigs = driver_rigs(), .progress = stderr}) == WaveEnd::drained)
             code = 75;
@@ -147,7 +178,8 @@ int main(int argc, char** argv)
     std::vector<std::string> const arguments(argv + 1, argv + argc);
     if (arguments.size() < 2)
         return 2;
-    if (arguments[0] == "run" || arguments[0] == "plan" || arguments[0] == "shards")
+    if (arguments[0] == "run" || arguments[0] == "overlap" || arguments[0] == "plan" ||
+        arguments[0] == "shards")
         return with_mpi(arguments);
     try {
         return alone(arguments);

@@ -142,9 +142,9 @@ TEST_F(SessionTest, AnalysisAndEndAreKept)
         Session session(MPI_COMM_WORLD, file_, options());
         session.plan_wave(WavePurpose::design, points);
         session.run_waves();
-        session.store_analysis({{"optimum/wmse", {1}, {0.25}, "1", "first"}});
-        session.store_analysis({{"optimum/wmse", {1}, {0.125}, "1", "second"},
-                                {"surrogate/table", {2, 3}, {1, 2, 3, 4, 5, 6}, "mixed", "a table"}});
+        session.store_analysis(0, {{"optimum/wmse", {1}, {0.25}, "1", "first"}});
+        session.store_analysis(0, {{"optimum/wmse", {1}, {0.125}, "1", "second"},
+                                   {"surrogate/table", {2, 3}, {1, 2, 3, 4, 5, 6}, "mixed", "a table"}});
         EXPECT_EQ(session.campaign().waves[0].analysis.size(), 2u); // on all ranks
         session.end("all targets are met");
         EXPECT_EQ(session.campaign().ended, "all targets are met");

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 using namespace demens;
 using namespace demens::ensemble;
@@ -114,15 +115,30 @@ TEST(Status, OfAWaveInProgressTellsWhyRunsFailAndHowLongTheRestTakes)
     EXPECT_EQ(json["waves"][0]["runs"]["done"], 2);
 }
 
-TEST(Status, CountsStartsThatEndedWithTheMachine)
+TEST(Status, TellsMachineCrashAndStopApart)
 {
     auto const campaign = campaign_in_progress("lost.h5");
     for (int death = 0; death < 2; ++death) {
         Journal journal(Parts("lost.h5").folder(), "rank-0001");
         journal.start(campaign.waves[0].runs[2].run, Journal::Company::others);
     }
+    {
+        int const run = campaign.waves[0].runs[2].run;
+        Journal journal(Parts("lost.h5").folder(), "rank-0002");
+        journal.start(run, Journal::Company::others);
+        journal.drain(run);
+        journal.start(run, Journal::Company::others);
+        auto const line = journal.crash_line(run, SIGSEGV);
+        ASSERT_EQ(::write(journal.descriptor(), line.data(), line.size()), static_cast<ssize_t>(line.size()));
+    }
     auto const status = read_status("lost.h5", formula_rigs());
-    EXPECT_EQ(status.waves[0].begun_again, 2);
+    EXPECT_EQ(status.waves[0].begun_again.lost, 2);
+    EXPECT_EQ(status.waves[0].begun_again.crashed, 1);
+    EXPECT_EQ(status.waves[0].begun_again.stopped, 1);
+    auto const text = status_text(status);
+    EXPECT_NE(text.find("lost       2 starts of wave 0"), std::string::npos) << text;
+    EXPECT_NE(text.find("crashed    1 start of wave 0"), std::string::npos) << text;
+    EXPECT_NE(text.find("stopped    1 start of wave 0"), std::string::npos) << text;
     EXPECT_EQ(status.all.failed, 1) << "a lost run is no failed one";
     EXPECT_EQ(status.all.running, 0) << "nobody holds the lock";
 }

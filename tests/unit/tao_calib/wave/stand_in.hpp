@@ -57,7 +57,8 @@ class StandIn
         Assessment const assessment(campaign, *solver);
         if (!campaign.waves.empty())
             campaign.waves.back().analysis = analysis_arrays(campaign, assessment);
-        last_step = plan_next_wave(campaign, assessment);
+        auto const overlapping = plan_overlapping_wave(campaign, *solver);
+        last_step = overlapping ? *overlapping : plan_next_wave(campaign, assessment);
         if (last_step.kind == NextStep::Kind::simulate)
             simulate(last_step);
         else
