@@ -15,7 +15,7 @@ for mode in run overlap; do
   expect_code 0 "$MPIRUN" -n 1 "$DRIVER" $mode undisturbed.h5 $WAVES $POINTS
   "$DRIVER" dump undisturbed.h5 >undisturbed.txt || fail "dump"
   [ "$(grep -c 'status 1 ' undisturbed.txt)" -eq $((WAVES * POINTS * 3)) ] || fail "not every run is finished"
-  kills=0 KILLS=${KILLS_A_MODE:-10}
+  kills=0 KILLS=${KILLS_A_MODE:-6}
   kill_many_times
   campaigns=$((campaigns + 1))
 done

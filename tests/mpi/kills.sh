@@ -1,4 +1,4 @@
-# kill -9 of mpirun at random moments, KILLS times (20), in campaigns that are gone on with until they end; each ends with the
+# kill -9 of mpirun at random moments, KILLS times (8), in campaigns that are gone on with until they end; each ends with the
 # same results, bit for bit, as undisturbed.txt. The script that includes this defines
 #   new_campaign NAME     makes NAME.h5, or what it is made of
 #   session NAME          sets the array SESSION to the command that goes on with it
@@ -30,7 +30,7 @@ go_on() {
 }
 
 kill_many_times() {
-  while [ $kills -lt ${KILLS:-20} ]; do go_on kill; done
+  while [ $kills -lt ${KILLS:-8} ]; do go_on kill; done
   go_on end
   echo "the same after $kills kills in $((campaigns - 1)) campaigns"
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -74,6 +75,21 @@ TEST(CampaignInput, NamesAnEngine)
     };
     EXPECT_THAT(refusal(with("cuda", 2)), HasSubstr("run.engine = \"cuda\": a device has a run to itself"));
     EXPECT_THAT(refusal(with("gpu", 1)), HasSubstr("must be one of cpu, cuda, "));
+}
+
+TEST(CampaignInput, SharesARunAmongAsManyRanksAsPay)
+{
+    std::ifstream file(DEMENS_SOURCE_DIR "/inputs/heap/campaign.toml");
+    std::string const heap(std::istreambuf_iterator<char>(file), {});
+    auto const ranks = [](std::string const& text) {
+        return CampaignInput::from_text(text, "heap.toml").run.ranks_per_group;
+    };
+    EXPECT_EQ(ranks(heap), 1); // by default
+    auto const open = heap + "\n[run]\nranks_per_group = 0\n";
+    EXPECT_EQ(ranks(open), 1); // 2,800 grains
+    auto const large = replaced(open, "mass_kg = 0.03\nradius_mm = 15", "mass_kg = 0.35\nradius_mm = 45");
+    EXPECT_EQ(ranks(large), 3); // 33,000 grains
+    EXPECT_EQ(ranks(replaced(large, "[run]", "[run]\nengine = \"auto\"")), 1);
 }
 
 TEST(CampaignInput, AbsentKeysHaveTheirDefaults)

@@ -12,17 +12,11 @@ TEST(RunsInFlight, ThoseThatHaveNotEndedBeginAgain)
     auto const folder = std::filesystem::path("runs-in-flight");
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
-    Wave wave;
-    for (int run = 10; run < 14; ++run) {
-        RunRecord record;
-        record.run = run;
-        wave.runs.push_back(record);
-    }
     {
         Journal journal(folder, "rank-0000");
-        RunsInFlight flight(journal, wave);
+        RunsInFlight flight(journal);
         for (int row = 0; row < 4; ++row)
-            flight.start(row, Journal::Company::others, 0.5 * row);
+            flight.start(row, 10 + row, Journal::Company::others, 0.5 * row);
         flight.note_signals();
         EXPECT_EQ(flight.end(1), 0.5);
         journal.end(11, 7, 1, 1);
