@@ -1,9 +1,11 @@
 #!/bin/bash
-# Sessions killed at random moments, with runs that take long enough for most kills to hit some, and waves that depend
-# on the responses of the last one; then the same with waves that overlap.
+# Sessions killed or stopped at random moments, as a whole or by one of their ranks, with runs that take long enough for
+# most signals to hit some, and waves that depend on the responses of the last one; then the same with waves that overlap.
+# By hand for as long as one likes: KILLS_A_MODE=500.
 . "$(dirname "$0")/common.sh"
 . "$(dirname "$0")/kills.sh"
 enter_folder kill-at-random-moments
+SIGNALS=(KILL TERM INT USR1) VICTIMS=(mpirun rank)
 WAVES=12 POINTS=8 # 24 runs a wave
 
 # The campaigns differ in one option that neither responses nor seeds depend on.
