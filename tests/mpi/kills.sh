@@ -10,9 +10,10 @@ declare -A sent # number of times, by signal and victim
 
 # Sends a signal to the mpirun whose process is $1, or to one of its ranks.
 interrupt() {
+  [ -n "$1" ] || return # it has ended
   local signal=${SIGNALS[RANDOM % ${#SIGNALS[@]}]} victim=${VICTIMS[RANDOM % ${#VICTIMS[@]}]} target=$1 ranks
   if [ $victim = rank ]; then
-    ranks=($(pgrep -P $1))
+    ranks=($(pgrep -P "$1"))
     [ ${#ranks[@]} -eq 0 ] || target=${ranks[RANDOM % ${#ranks[@]}]}
   fi
   kill -$signal $target 2>/dev/null && sent[$signal,$victim]=$((${sent[$signal,$victim]:-0} + 1))
