@@ -124,6 +124,11 @@ int plan(std::string const& file)
                    : "a guess, no run has finished: 1e7 particle steps a second, one core of today");
     print_table(work, groups);
     print_all_runs(campaign, work, groups);
+    if (!campaign.input.search.overlap && groups < static_cast<int>(work.seconds.size()))
+        fmt::print(
+            "  more groups than {} wait for the last runs of a wave; with [search] overlap = true they go on "
+            "with the next one\n",
+            groups);
     fmt::print("  memory: at least {:.0f} MB a rank, the largest run has about {:.0f} particles\n",
                1e-6 * (program_memory + rig::memory_needed(work.particles) / ranks_per_group),
                work.particles);
