@@ -62,7 +62,10 @@ gap::CaseTruth sealed_truth(fs::path const& folder, ensemble::CampaignInput cons
     return truth;
 }
 
-void write_case(fs::path const& folder, ensemble::CampaignInput const& input, std::string const& text)
+//! \param written when all of it was written, it says: how long a case took to simulate would tell of its
+//! cause
+void write_case(fs::path const& folder, ensemble::CampaignInput const& input, std::string const& text,
+                fs::file_time_type written)
 {
     fs::create_directories(folder);
     for (auto const& [name, content] : input.files()) {
@@ -70,6 +73,9 @@ void write_case(fs::path const& folder, ensemble::CampaignInput const& input, st
         write(folder / name, *content);
     }
     write(folder / "campaign.toml", text);
+    for (auto const& entry : fs::recursive_directory_iterator(folder))
+        fs::last_write_time(entry.path(), written);
+    fs::last_write_time(folder, written);
 }
 
 int draw(std::string const& toml, fs::path const& folder, int cases, int repeats)
@@ -98,7 +104,8 @@ int draw(std::string const& toml, fs::path const& folder, int cases, int repeats
         ensemble::broadcast(MPI_COMM_WORLD, stopped);
         if (stopped[0] != 0)
             return drained;
-        on_root(MPI_COMM_WORLD, [&] { write_case(folder / "cases" / name, input, text); });
+        on_root(MPI_COMM_WORLD,
+                [&] { write_case(folder / "cases" / name, input, text, fs::last_write_time(toml)); });
     }
     return success;
 }

@@ -50,8 +50,10 @@ with tempfile.TemporaryDirectory() as folder:
     again = run(mpirun, "-n", "2", demens, "gap", "rehearse", "draw", "campaign.toml", "-o", "rehearsal", "--cases", str(cases))
     assert again == "", "what is drawn stays: " + again
 
-    # the diagnosis has the cases alone; nothing in them tells the truth, not even a file's size
+    # the diagnosis has the cases alone; nothing in them tells the truth: neither names nor times nor digits
     shutil.copytree("rehearsal/cases", "blind/cases")
+    times = {os.stat(f"rehearsal/cases/{name}{file}").st_mtime_ns for name in seals for file in ("", "/campaign.toml")}
+    assert len(times) == 1, times
     os.rename("rehearsal", "elsewhere")
     texts = {name: open(f"blind/cases/{name}/campaign.toml").read() for name in seals}
     for name, text in texts.items():
@@ -59,6 +61,9 @@ with tempfile.TemporaryDirectory() as folder:
         other = [line for line in text.splitlines() if "target." not in line and not line.startswith("name = ")]
         first = [line for line in texts["case01"].splitlines() if "target." not in line and not line.startswith("name = ")]
         assert other == first, "but for the measured values all cases say the same"
+        values = [line.split("value = ")[1].split(",")[0].split("e")[0] for line in text.splitlines() if "value = " in line]
+        values = [value for value in values if value != "1.0"]  # of experiments that are not made
+        assert len(values) == 18 and all(len(value.strip("-0.").replace(".", "")) >= 12 for value in values), values
     print(run(mpirun, "-n", "2", demens, "gap", "rehearse", "diagnose", "blind"))
     os.rename("elsewhere", "rehearsal")
     for name in seals:
