@@ -29,9 +29,12 @@ struct PairTable
 struct ShapeTable
 {
     std::string name;
-    grain::Clump spheres; //!< as its author wrote them
     grain::SizeMeasure measure;
-    grain::GrainShape shape;
+    grain::Clump spheres = {};          //!< as its author wrote them; none: a polyhedron
+    std::vector<Vector3> vertices = {}; //!< its corners, sharp, in the author's unit
+    double rounding = 0;                //!< of its edges, over the diameter of the sphere of its volume
+    std::string note = {};              //!< what is to be said of where it came from
+    grain::GrainShape shape = {};
 };
 
 //! A shape in a size distribution.

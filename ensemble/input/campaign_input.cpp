@@ -59,7 +59,10 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     auto tree = std::make_shared<Tree>(Tree{input::read_base_model(file, files)});
     auto [experiments, experiment_tables, notes] = input::read_experiments(file, *tree, rigs, files);
     campaign.experiments = std::move(experiments);
-    campaign.notes_ = std::move(notes);
+    for (auto const& shape : tree->shapes)
+        if (!shape.note.empty())
+            campaign.notes_.push_back(shape.note);
+    campaign.notes_.insert(campaign.notes_.end(), notes.begin(), notes.end());
     campaign.gap = input::read_gap(file, campaign.experiments); // gives roles, on which all below rests
     campaign.effects = input::read_effects(file, *tree, campaign.experiments);
     campaign.factors = input::read_factors(file, *tree, campaign.experiments);

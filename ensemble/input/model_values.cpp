@@ -63,6 +63,10 @@ std::string text_of(ShapeTable const& shape)
     for (auto const& ball : shape.spheres)
         text += fmt::format(", [{}, {}, {}, {}]", number_text(ball.place.x), number_text(ball.place.y),
                             number_text(ball.place.z), number_text(ball.radius));
+    if (shape.spheres.empty())
+        text += fmt::format(", a polyhedron, rounding {}", number_text(shape.rounding));
+    for (Vector3 const& v : shape.vertices)
+        text += fmt::format(", [{}, {}, {}]", number_text(v.x), number_text(v.y), number_text(v.z));
     return text;
 }
 

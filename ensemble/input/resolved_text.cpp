@@ -78,11 +78,18 @@ void write_base(Writer& out, BaseInput const& base)
         out.heading("[shape." + shape.name + "]");
         OptionValues values;
         values.set("size", std::string(word_for(shape.measure)));
-        out.options({spec_of(shape_options(), "size")}, values);
-        auto const row = [](grain::Ball const& ball) {
-            return list(std::vector{ball.place.x, ball.place.y, ball.place.z, ball.radius}, number_text);
+        std::vector<OptionSpec> specs = {spec_of(shape_options(), "size")};
+        if (shape.spheres.empty()) {
+            values.set("rounding", shape.rounding);
+            specs.push_back(spec_of(shape_options(), "rounding"));
+        }
+        out.options(specs, values);
+        auto const ball = [](grain::Ball const& b) {
+            return list(std::vector{b.place.x, b.place.y, b.place.z, b.radius}, number_text);
         };
-        out.lists(shape_lists(), {{"spheres", list(shape.spheres, row)}});
+        auto const vertex = [](Vector3 const& v) { return list(std::vector{v.x, v.y, v.z}, number_text); };
+        out.lists(shape_lists(), {shape.spheres.empty() ? std::pair("vertices", list(shape.vertices, vertex))
+                                                        : std::pair("spheres", list(shape.spheres, ball))});
     }
     for (auto const& sizes : base.size_distributions) {
         out.heading("[size_distribution." + sizes.name + "]");

@@ -1,9 +1,9 @@
 #include "ensemble/input/shapes.hpp"
 
-#include "demens/grain/clump_file.hpp"
 #include "demens/grain/words.hpp"
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/nearest.hpp"
+#include "ensemble/input/shape_source.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,33 +26,6 @@ std::vector<std::string> names_of(std::vector<ShapeTable> const& shapes)
     return names;
 }
 
-//! Spheres of `spheres` or `file`.
-grain::Clump read_spheres(InputTable const& table, std::string const& file, FileSource const& files,
-                          rig::Files& kept)
-{
-    if (table.has("spheres") == !file.empty())
-        throw table.error("needs either spheres = [[x, y, z, r], ...] or file = \"CLUMP.csv\"");
-    if (file.empty()) {
-        grain::Clump clump;
-        for (auto const& row : table.rows_of_numbers("spheres")) {
-            if (row.size() != 4)
-                throw table.error("spheres",
-                                  fmt::format("sphere {} has {} numbers; it needs 4: x, y, z and its "
-                                              "radius",
-                                              clump.size() + 1, row.size()));
-            clump.push_back({{row[0], row[1], row[2]}, row[3]});
-        }
-        return clump;
-    }
-    try {
-        if (!kept.count(file))
-            kept.emplace(file, std::make_shared<std::string const>(files(file)));
-        return grain::read_clump(*kept.at(file), file, 1);
-    } catch (InputError const& error) {
-        throw table.error("file", error.what());
-    }
-}
-
 } // namespace
 
 std::vector<ShapeTable> read_shapes(InputTable const& section, FileSource const& files, rig::Files& kept)
@@ -65,15 +38,8 @@ std::vector<ShapeTable> read_shapes(InputTable const& section, FileSource const&
                 name, "is the name of the sphere, which there is without a table; give another one");
         auto const table = section.table(name);
         auto const values = table.read(shape_options(), keys_of(shape_lists()));
-        ShapeTable shape{name,
-                         read_spheres(table, values.text("file"), files, kept),
-                         *find_word<SizeMeasure>(values.text("size")),
-                         {}};
-        try {
-            shape.shape = grain::grain_shape(name, shape.spheres, shape.measure);
-        } catch (InputError const& error) {
-            throw table.error(values.text("file").empty() ? "spheres" : "file", error.what());
-        }
+        ShapeTable shape{.name = name, .measure = *find_word<SizeMeasure>(values.text("size"))};
+        read_source(shape, table, values, {files, kept});
         shapes.push_back(std::move(shape));
     }
     return shapes;

@@ -17,6 +17,8 @@ std::vector<shape::Sphere> outline_of(GrainShape const& shape)
 {
     if (!shape.shape)
         return {{{}, 1}};
+    if (shape.is_hull())
+        return {{{}, shape.shape->reach()}};
     std::vector<shape::Sphere> outline;
     for (Ball const& ball : shape.shape->balls)
         outline.push_back({ball.place, ball.radius});
@@ -56,6 +58,14 @@ GrainShape grain_shape(std::string name, std::span<Ball const> clump, SizeMeasur
     return {std::move(name), shape, properties.equivalent_diameter() / size};
 }
 
+GrainShape grain_shape(std::string name, RoundedHull const& hull, SizeMeasure measured)
+{
+    auto const shape = std::make_shared<BodyShape const>(body_shape(hull, name));
+    auto const properties = mass_properties(hull);
+    double const size = size_by(measured, properties, sizes(corner_balls(hull)));
+    return {std::move(name), shape, properties.equivalent_diameter() / size};
+}
+
 Grains::Grains(shape::SizeDistribution const& sizes) : Grains(sizes, {{{"sphere", nullptr, 1}}, {1}}) {}
 
 Grains::Grains(shape::SizeDistribution const& sizes, ShapeMixture mixture)
@@ -92,6 +102,11 @@ Grains::Grains(shape::SizeDistribution const& sizes, ShapeMixture mixture)
 bool Grains::are_spheres() const
 {
     return std::all_of(kinds_.begin(), kinds_.end(), [](Kind const& k) { return k.shape.is_sphere(); });
+}
+
+bool Grains::have_hulls() const
+{
+    return std::any_of(kinds_.begin(), kinds_.end(), [](Kind const& k) { return k.shape.is_hull(); });
 }
 
 double Grains::smallest() const
@@ -169,8 +184,10 @@ double Grains::widest() const
 double Grains::looseness() const
 {
     double sum = 0;
-    for (Kind const& kind : kinds_)
-        sum += kind.share / reach_of(kind.shape);
+    for (Kind const& kind : kinds_) {
+        double const reach = reach_of(kind.shape);
+        sum += kind.share / (kind.shape.is_hull() ? reach * reach * reach : reach);
+    }
     return sum;
 }
 

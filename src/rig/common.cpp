@@ -1,6 +1,7 @@
 #include "src/rig/common.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/contact/laws.hpp"
 #include "src/rig/option_specs.hpp"
 
 #include <algorithm>
@@ -51,10 +52,40 @@ shape::SizeDistribution size_distribution_of(RunInput const& input)
     return tail > 0 ? sizes.with_class(1e-3 * o.number("tail_mm"), tail) : sizes;
 }
 
+namespace {
+
+//! \throws InputError where grains are polyhedra and a law acts where they do not overlap
+void check_laws_of_hulls(grain::Grains const& grains, RunInput const& input)
+{
+    if (!grains.have_hulls())
+        return;
+    auto const& model = input.model;
+    bool const one_material = input.experiment.has("material");
+    for (auto const& pair : model.pairs) {
+        auto const& of = one_material ? input.experiment.text("material") : pair.first;
+        if (pair.first != of && pair.second != of)
+            continue;
+        contact::LawSet const laws(material_named(model, pair.first), material_named(model, pair.second),
+                                   pair);
+        if (contact::range_of(laws, 1).gap > 0)
+            throw InputError(
+                fmt::format("contact.{}_{} has a law that acts beyond touch (cohesion across a gap, or "
+                            "until a bond breaks), and polyhedra ([shape.NAME]) touch only where they "
+                            "overlap; choose another law, or grains made of spheres",
+                            pair.first, pair.second));
+    }
+}
+
+} // namespace
+
 grain::Grains grains_of(RunInput const& input, std::string const& name, shape::SizeDistribution const& sizes)
 {
     auto const found = input.shapes_of_sizes.find(name);
-    return found == input.shapes_of_sizes.end() ? grain::Grains(sizes) : grain::Grains(sizes, found->second);
+    if (found == input.shapes_of_sizes.end())
+        return grain::Grains(sizes);
+    grain::Grains grains(sizes, found->second);
+    check_laws_of_hulls(grains, input);
+    return grains;
 }
 
 grain::Grains grains_of(RunInput const& input)

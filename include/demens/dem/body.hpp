@@ -11,7 +11,7 @@
 namespace demens::dem {
 
 //! A grain that enters a simulation, as it is at the present time: a sphere, or a rigid body of several
-//! elements that move together.
+//! elements that move together, or a rounded hull, which is read as its balls.
 struct Body
 {
     Vector3 position; //!< of the centre of mass [m]
@@ -24,6 +24,7 @@ struct Body
 
     //! Whether it moves as a sphere, without an orientation.
     bool is_sphere() const { return !shape || shape->is_sphere(); }
+    bool is_hull() const { return shape && shape->is_hull(); }
     std::size_t elements() const { return shape ? shape->balls.size() : 1; }
 };
 

@@ -34,7 +34,8 @@ struct alignas(64) Load
 };
 
 //! All particles, in an order that changes at each neighbour rebuild; `id` stays with a particle. A particle
-//! is a sphere that moves by itself, or an element of a rigid body, whose mass it then has. Where several
+//! is a sphere that moves by itself, or an element of a rigid body, whose mass it then has: a ball, or the
+//! sphere that holds a hull. Where several
 //! processes share a simulation, those of this one, then the ghosts: copies of particles of the others that
 //! come near.
 struct Particles
@@ -46,17 +47,20 @@ struct Particles
     std::vector<std::uint32_t> id;       //!< order in which particles were added
     std::vector<std::uint32_t> body;     //!< rigid body of each, or `alone`; empty where all are alone
     static constexpr std::uint32_t alone = 0xffffffff;
+    std::vector<std::uint8_t> hull; //!< 1: the sphere that holds a hull; empty where none is
     std::size_t ghosts = 0;
 
     std::size_t size() const { return place.size(); }
     std::size_t owned() const { return place.size() - ghosts; }
     bool is_alone(std::size_t k) const { return body.empty() || body[k] == alone; }
+    bool is_hull(std::size_t k) const { return !hull.empty() && hull[k] != 0; }
     bool are_of_one_body(std::size_t i, std::size_t j) const { return !is_alone(i) && body[i] == body[j]; }
     //! Whether all columns have the same length.
     bool is_whole() const
     {
         return motion.size() == size() && load.size() == size() && material.size() == size() &&
-               id.size() == size() && (body.empty() || body.size() == size()) && ghosts <= size();
+               id.size() == size() && (body.empty() || body.size() == size()) &&
+               (hull.empty() || hull.size() == size()) && ghosts <= size();
     }
     void resize(std::size_t count)
     {

@@ -1,20 +1,23 @@
 #pragma once
 
-#include "demens/grain/clump.hpp"
+#include "demens/grain/rounded_hull.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace demens::grain {
 
-//! A rigid grain that is the union of balls, about its centre of mass and in its principal axes. All lengths
-//! are in radii of the sphere of the same volume: a grain of radius r [m] is r times as large, and has the
-//! mass of a sphere of radius r.
+//! A rigid grain that is the union of balls, or a rounded hull, about its centre of mass and in its principal
+//! axes. All lengths are in radii of the sphere of the same volume: a grain of radius r [m] is r times as
+//! large, and has the mass of a sphere of radius r.
 struct BodyShape
 {
-    Clump balls;
+    Clump balls;     //!< of a hull: balls within it that show where it is
     Vector3 inertia; //!< principal moments over mass and radius squared [-]; of a sphere 0.4 each
+    std::optional<RoundedHull> hull = {}; //!< what touches; none: the balls
 
-    bool is_sphere() const { return balls.size() == 1; }
+    bool is_hull() const { return hull.has_value(); }
+    bool is_sphere() const { return !hull && balls.size() == 1; }
     //! Of the furthest point from the centre.
     double reach() const
     {
@@ -35,5 +38,12 @@ struct BodyShape
 
 //! Of a clump in any axes and of any size. \throws InputError as `check`
 BodyShape body_shape(std::span<Ball const> clump, std::string const& origin);
+//! Of a rounded hull. Its balls are those of its corners and some that fill it (`outline`).
+//! \throws InputError where its rounding is not above 0: contacts need one
+BodyShape body_shape(RoundedHull const& hull, std::string const& origin);
+
+//! Balls in a rounded hull that show its outline: those of its corners, which reach as far as it does, then
+//! `fit_clump` of its core, each larger by the rounding. They leave flat sides dented. \throws InputError
+Clump outline(RoundedHull const& hull, std::string const& origin);
 
 } // namespace demens::grain

@@ -19,10 +19,12 @@ struct GrainShape
         1; //!< diameter of the sphere of the same volume over what is called its size
 
     bool is_sphere() const { return !shape || shape->is_sphere(); }
+    bool is_hull() const { return shape && shape->is_hull(); }
 };
 
 //! \param measured what is called its size
 GrainShape grain_shape(std::string name, std::span<Ball const> clump, SizeMeasure measured);
+GrainShape grain_shape(std::string name, RoundedHull const& hull, SizeMeasure measured);
 
 //! One grain.
 struct Grain
@@ -58,6 +60,7 @@ class Grains
     Grains(shape::SizeDistribution const& sizes, ShapeMixture mixture);
 
     bool are_spheres() const;
+    bool have_hulls() const; //!< among them
     GrainShape const& shape_of(Grain const& grain) const { return kinds_[grain.kind].shape; }
 
     // Diameters of spheres of the same volume [m]
@@ -67,12 +70,13 @@ class Grains
     double mean_volume_diameter() const;
     double per_volume() const; //!< expected number of grains in a unit of solid volume [1/m^3]
 
-    //! ... of the spheres that grains are made of.
+    //! ... of the spheres that grains are made of; a hull counts as one.
     double balls_per_volume() const;
-    double smallest_ball() const; //!< diameter of the smallest sphere that a grain is made of [m]
-    double widest() const;        //!< diameter of the ball around its centre that holds the widest grain [m]
-    //! How densely grains lie that lie loosely at random, over spheres: the mean radius of volume over the
-    //! radius of the ball that holds it [-].
+    //! Diameter of the smallest sphere that grains are made of; a hull counts as that of its volume [m].
+    double smallest_ball() const;
+    double widest() const; //!< diameter of the ball around its centre that holds the widest grain [m]
+    //! How densely grains can be put at random, over spheres: the mean radius of volume over the radius of
+    //! the ball that holds it; of hulls, which are put as such balls, its third power [-].
     double looseness() const;
 
     //! Grains that make up the mass [kg], as `shape::SizeDistribution::sample_mass`.
@@ -82,7 +86,7 @@ class Grains
     //! As `shape::sample_warning`.
     std::string sample_warning(double mass, double density) const;
 
-    //! Their balls, for packing; valid as long as this.
+    //! Their balls, for packing, of a hull the ball that holds it; valid as long as this.
     std::vector<shape::SphereGroup> outlines(std::vector<Grain> const& grains) const;
 
   private:

@@ -23,7 +23,8 @@ struct SphereGroup
     std::span<Sphere const> spheres; //!< about the body's centre, over `size`
     double size;                     //!< radius of the sphere of the same volume [m]
 
-    bool is_sphere() const { return spheres.size() == 1; }
+    //! One sphere of the body's own size; a larger one holds a body that is turned.
+    bool is_sphere() const { return spheres.size() == 1 && spheres.front().radius == 1; }
     double reach() const;   //!< of the furthest point from the centre [m]
     double largest() const; //!< diameter of its largest sphere [m]
 };

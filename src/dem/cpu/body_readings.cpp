@@ -78,6 +78,39 @@ double energy_on_entry_of_body(Params const& params, State const& state)
            rotational_energy(pose.orientation.rotation(), motion.angular_momentum, m.inertia);
 }
 
+namespace {
+
+//! In the place of the sphere that holds a hull the balls that it is read as; they share its load. The first
+//! one takes the sphere's place, the others come last.
+void show_outline(Particles& all, Periods const& periods, State const& state, std::size_t body)
+{
+    RigidBodies const& bodies = state.bodies;
+    std::uint32_t const k = bodies.element[bodies.elements_begin(body)];
+    grain::Clump const& balls = bodies.hull_shape(body).balls;
+    double const radius = bodies.mass[body].radius, share = 1 / static_cast<double>(balls.size());
+    Place const centre = all.place[k];
+    Motion const motion = all.motion[k];
+    Load const l = all.load[k];
+    std::uint32_t const material = all.material[k], first_id = all.id[k];
+    Vector3 const spin{motion.wx, motion.wy, motion.wz};
+    for (std::uint32_t n = 0; n < balls.size(); ++n) {
+        std::size_t const at = n == 0 ? k : all.size();
+        if (n > 0)
+            all.resize(at + 1);
+        Vector3 const arm = bodies.pose[body].orientation(radius * balls[n].place), v = cross(spin, arm);
+        all.place[at] = {periods.x.wrapped(centre.x + arm.x), periods.y.wrapped(centre.y + arm.y),
+                         centre.z + arm.z, radius * balls[n].radius};
+        all.motion[at] = {motion.vx + v.x, motion.vy + v.y, motion.vz + v.z, motion.mass,
+                          spin.x,          spin.y,          spin.z,          motion.inertia};
+        all.load[at] = {share * l.fx, share * l.fy, share * l.fz, 0,
+                        share * l.tx, share * l.ty, share * l.tz, 0};
+        all.material[at] = material;
+        all.id[at] = first_id + n;
+    }
+}
+
+} // namespace
+
 Particles elements_now(Params const& params, State const& state)
 {
     Particles all = state.particles;
@@ -98,6 +131,8 @@ Particles elements_now(Params const& params, State const& state)
             Vector3 const v = now.velocity + cross(w, bodies.arm_now[e]);
             m = {v.x, v.y, v.z, m.mass, w.x, w.y, w.z, m.inertia};
         }
+        if (bodies.is_hull(b))
+            show_outline(all, params.options.periodic, state, b);
     }
     return all;
 }
@@ -110,8 +145,8 @@ Particles grains_now(Params const& params, State const& state)
         grains.place.push_back(place), grains.motion.push_back(motion), grains.load.push_back(load);
         grains.material.push_back(elements.material[first]), grains.id.push_back(elements.id[first]);
     };
-    for (std::size_t k = 0; k < elements.size(); ++k)
-        if (elements.is_alone(k))
+    for (std::size_t k = 0; k < state.particles.size(); ++k) // the others are balls of hulls
+        if (state.particles.is_alone(k))
             add(elements.place[k], elements.motion[k], elements.load[k], k);
     RigidBodies const& bodies = state.bodies;
     for (std::size_t b = 0; b < bodies.size(); ++b) {

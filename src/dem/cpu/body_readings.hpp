@@ -25,7 +25,8 @@ void add_bodies(EnergyLedger& ledger, Params const& params, State const& state);
 //! What the last body brings in that enters after the beginning [J].
 double energy_on_entry_of_body(Params const& params, State const& state);
 
-//! The particles with motions at the time of their places, as if none were half a step behind.
+//! The particles with motions at the time of their places, as if none were half a step behind; in the place
+//! of the sphere that holds a hull the balls of its outline.
 Particles elements_now(Params const& params, State const& state);
 //! A record for each grain: of spheres their own, of bodies that of their centre of mass, with the radius of
 //! the sphere of the same volume, the id of the first element and the moment of inertia about the axis about

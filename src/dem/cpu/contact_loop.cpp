@@ -5,6 +5,7 @@
 #include "src/dem/cpu/law_stages.hpp"
 #include "src/dem/cpu/pair_test.hpp"
 #include "src/dem/cpu/wall_contacts.hpp"
+#include "src/dem/cpu/wall_work.hpp"
 
 #include <algorithm>
 
@@ -44,24 +45,6 @@ void ContactLoop::compute(Params const& params, State& state, ContactList& list)
     }
 }
 
-namespace {
-
-//! Work in a step of walls that turn, beside that of their force and torque [J]. The surface moves as it does
-//! where it is touched, but the torque is that of forces a radius from the centre, which keeps angular
-//! momentum: an overlap further on.
-double work_beside_torque(ContactBlock const& b, ContactList const& list, std::vector<Wall> const& walls,
-                          double time_step)
-{
-    double power = 0;
-    for (int l = 0; l < b.count; ++l) {
-        Vector3 const n{b.nx[l], b.ny[l], b.nz[l]}, force{b.fx[l], b.fy[l], b.fz[l]};
-        power += (b.overlap[l] - b.gap[l]) * dot(walls[list.second[b.slot[l]]].spin, cross(n, force));
-    }
-    return power * time_step;
-}
-
-} // namespace
-
 void ContactLoop::evaluate(Params const& params, State& state, ContactList& list, std::uint32_t const* slots,
                            std::size_t count)
 {
@@ -83,8 +66,9 @@ void ContactLoop::evaluate(Params const& params, State& state, ContactList& list
         if (layout.ledger) {
             state.tally.losses.add(block, share_of(list));
             if (with_wall)
-                state.tally.work_of_walls +=
-                    work_beside_torque(block, list, state.walls.all(), options.time_step);
+                state.tally.work_of_walls += work_beside_torque(block, options.time_step, [&](int l) {
+                    return state.walls.all()[list.second[block.slot[l]]].spin;
+                });
         }
         if (with_wall)
             scatter_wall_contacts(block, list, state.particles, state.walls.all(), state.wall_loads);

@@ -19,12 +19,13 @@ constexpr double near_share = 0.25; // how far contacts reach beyond touch, over
 CpuEngine::CpuEngine(contact::Model const& model, SimulationOptions const& options)
     : params_(make_params(model, options)), materials_(model.materials.size()),
       partition_(make_partition(options)), accounts_(make_accounts(options.energy_ledger)),
-      search_(params_->materials.size(), params_->interaction, options.periodic)
+      search_(params_->materials.size(), params_->interaction, options.periodic),
+      hull_search_(params_->materials.size(), params_->interaction)
 {
     DEMENS_EXPECT(options.time_step > 0 && options.skin >= 0,
                   "time goes on, and lists reach as far as contacts");
     for (auto const& layout : params_->layouts)
-        state_.contacts.add_law_set(layout.size, layout.scalars, partition_->has_ghosts());
+        add_law_set(state_, layout, partition_->has_ghosts());
 }
 
 void CpuEngine::set_model(contact::Model const& model)
@@ -33,6 +34,8 @@ void CpuEngine::set_model(contact::Model const& model)
     if (params->places != params_->places || params->interaction != params_->interaction)
         throw InputError("a simulation that runs may get other coefficients, but not other laws, materials "
                          "or pairs of them");
+    if (!state_.bodies.hull_shapes.empty())
+        require_hulls(*params);
     params_ = std::move(params);
     note_change(); // the new laws may reach further
 }
@@ -57,6 +60,17 @@ IdRange CpuEngine::add(BodyBatch const& bodies)
     return ids;
 }
 
+void CpuEngine::require_hulls(Params const& params) const
+{
+    for (Wall const& wall : state_.walls.all())
+        HullWallFinder::require_hulls(wall.shape);
+    for (auto const& laws : params.laws)
+        if (contact::range_of(laws, 1).gap > 0)
+            throw InputError(
+                "polyhedra touch where they overlap only: laws that act beyond that (cohesion across a "
+                "gap, bonds) are those of grains made of spheres");
+}
+
 void CpuEngine::add(Body const& body, Vector3 const& v)
 {
     double const r = body.radius;
@@ -67,6 +81,8 @@ void CpuEngine::add(Body const& body, Vector3 const& v)
     DEMENS_EXPECT(mass > 0, "a body has a mass");
     if (!body.is_sphere())
         partition_->require_rigid_bodies();
+    if (body.is_hull())
+        require_hulls(*params_);
     materials_.bodies_enter(*params_, body.material, 1, state_.walls.all());
     note_change();
     if (!body.is_sphere()) {
@@ -87,6 +103,8 @@ void CpuEngine::add(Body const& body, Vector3 const& v)
     particles.id.push_back(id);
     if (!particles.body.empty())
         particles.body.push_back(Particles::alone);
+    if (!particles.hull.empty())
+        particles.hull.push_back(0);
     accounts_->particle_added(*params_, state_);
 }
 
@@ -94,6 +112,8 @@ WallId CpuEngine::add(Wall const& wall)
 {
     DEMENS_EXPECT(wall.material.value < params_->materials.size(), "a material of the model");
     materials_.wall_enters(*params_, wall.material);
+    if (!state_.bodies.hull_shapes.empty())
+        HullWallFinder::require_hulls(wall.shape);
     note_change();
     state_.wall_loads.push_back({});
     return state_.walls.add(wall);
@@ -101,6 +121,8 @@ WallId CpuEngine::add(Wall const& wall)
 
 void CpuEngine::place(WallId wall, WallShape const& shape)
 {
+    if (!state_.bodies.hull_shapes.empty())
+        HullWallFinder::require_hulls(shape);
     note_change();
     state_.walls.place(wall, shape);
 }
@@ -140,6 +162,7 @@ void CpuEngine::begin()
     for (auto* lists : {&state_.contacts.pairs, &state_.contacts.walls, &state_.contacts.ghosts})
         for (ContactList& list : *lists)
             std::fill(list.state.begin(), list.state.end(), 0.0);
+    state_.hulls.for_each([](HullContactList& list) { list.clear(); });
     rebuild_if_needed();
     std::fill(state_.particles.load.begin(), state_.particles.load.end(), Load{});
     std::fill(state_.bodies.load.begin(), state_.bodies.load.end(), BodyLoad{});
@@ -246,6 +269,7 @@ void CpuEngine::search_neighbours()
     if (partition_->largest(outside ? 1.0 : 0.0) > 0) {
         state_.left_domain = true; // or is not a number; `health` tells which
         partition_->give_up(particles, state_.contacts);
+        state_.hulls.for_each([](HullContactList& list) { list.clear(); });
         return;
     }
     ListClock& lists = state_.lists;
@@ -258,6 +282,8 @@ void CpuEngine::search_neighbours()
     search_.rebuild(particles, state_.walls.all(), lists.reach, state_.contacts);
     partition_->renumber(search_.new_numbers(), particles);
     renumber(state_.bodies, search_.new_numbers());
+    if (!particles.hull.empty())
+        hull_search_.rebuild(search_, particles, state_.walls.all(), state_.hulls);
     lists.smallest_radius = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < particles.owned(); ++k)
         lists.smallest_radius = std::min(lists.smallest_radius, particles.place[k].radius);
@@ -290,6 +316,7 @@ void CpuEngine::compute_loads(std::int64_t step)
     partition_->begin_exchange(state_.particles);
     compute_contacts(state_.contacts.pairs, renews);
     compute_contacts(state_.contacts.walls, false);
+    hull_loop_.compute(*params_, state_);
     partition_->finish_exchange(state_.particles);
     compute_contacts(state_.contacts.ghosts, renews);
     if (params_->options.surroundings.is_any())

@@ -4,6 +4,8 @@
 #include "src/dem/cpu/contact_loop.hpp"
 #include "src/dem/cpu/contact_renewal.hpp"
 #include "src/dem/cpu/energy_accounts.hpp"
+#include "src/dem/cpu/hulls/hull_loop.hpp"
+#include "src/dem/cpu/hulls/hull_search.hpp"
 #include "src/dem/cpu/partition.hpp"
 #include "src/dem/materials_present.hpp"
 
@@ -54,6 +56,8 @@ class CpuEngine final : public Engine
     //! What was gathered and the neighbour lists no longer say how it is.
     void note_change();
     void add(Body const& body, Vector3 const& velocity_behind);
+    //! \throws InputError for laws, and walls that there are, that hulls cannot do with.
+    void require_hulls(Params const& params) const;
     //! \throws InputError where bodies of a material meet others, or walls, without laws for it.
     void begin();
     void step();
@@ -74,6 +78,8 @@ class CpuEngine final : public Engine
     NeighbourSearch search_;
     ContactRenewal renewal_;
     ContactLoop contact_loop_;
+    HullSearch hull_search_;
+    HullLoop hull_loop_;
 };
 
 } // namespace demens::dem

@@ -97,18 +97,27 @@ double count_touching(std::vector<ContactList> const& lists)
             share_of(list) * static_cast<double>(std::count(list.touching.begin(), list.touching.end(), 1));
     return count;
 }
+double count_touching(std::vector<HullContactList> const& lists)
+{
+    double count = 0;
+    for (HullContactList const& list : lists)
+        count += static_cast<double>(list.touching());
+    return count;
+}
 
 } // namespace
 
 Counts CpuEngine::counts()
 {
     ContactLists const& contacts = state_.contacts;
-    double const pairs = count_touching(contacts.pairs) + count_touching(contacts.ghosts);
+    double const pairs =
+        count_touching(contacts.pairs) + count_touching(contacts.ghosts) + count_touching(state_.hulls.pairs);
+    double const walls = count_touching(contacts.walls) + count_touching(state_.hulls.walls);
     RigidBodies const& bodies = state_.bodies;
-    return {.particles = state_.particles_added - (bodies.element.size() - bodies.size()),
+    return {.particles = state_.particles_added - (bodies.all_ids() - bodies.size()),
             .elements = state_.particles_added,
             .contacts = static_cast<std::size_t>(partition_->sum(pairs)),
-            .wall_contacts = static_cast<std::size_t>(partition_->sum(count_touching(contacts.walls))),
+            .wall_contacts = static_cast<std::size_t>(partition_->sum(walls)),
             .rebuilds = state_.lists.rebuilds,
             .particles_of_rank = state_.particles.owned(),
             .ghosts_of_rank = state_.particles.ghosts};

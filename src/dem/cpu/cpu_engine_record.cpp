@@ -24,10 +24,14 @@ CpuEngine::CpuEngine(contact::Model const& model, SimulationOptions const& optio
         State state = read_state(mine, *params_);
         check_contacts(state, partition_->restore(mine, state.particles));
         state_ = std::move(state);
+        if (!state_.bodies.hull_shapes.empty())
+            require_hulls(*params_);
         for (Place const& p : state_.particles.place)
             radius = std::max(radius, p.radius);
     });
-    expect_fit(partition_->sum(static_cast<double>(state_.particles.owned())) == state_.particles_added,
+    // Of a hull each ball that it is read as has an id.
+    std::size_t const ids = state_.particles.owned() - state_.bodies.element.size() + state_.bodies.all_ids();
+    expect_fit(partition_->sum(static_cast<double>(ids)) == state_.particles_added,
                "there are fewer or more particles than were added"); // the same answer on all processes
     std::vector<double> count(materials_.size());
     for (std::size_t k = 0; k < state_.particles.owned(); ++k)

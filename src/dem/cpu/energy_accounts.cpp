@@ -41,12 +41,12 @@ class EnergyMeter final : public EnergyAccounts
     void before_search(Params const& params, State const& state) override
     {
         potential_ = potential_energy(params, state);
-        stored_ = stored_energy(params, state.contacts).total();
+        stored_ = stored_energy(params, state).total();
     }
     void after_search(Params const& params, State& state) override
     {
         state.tally.brought_in += potential_energy(params, state) - potential_;
-        state.tally.work_of_walls -= stored_ - stored_energy(params, state.contacts).total();
+        state.tally.work_of_walls -= stored_ - stored_energy(params, state).total();
     }
 
     //! Work of the walls and surroundings since the step before, under the mean of the loads then and now.

@@ -23,16 +23,22 @@ double potential_energy(Params const& params, State const& state)
            potential_energy_of_bodies(params, state);
 }
 
-contact::StoredEnergy stored_energy(Params const& params, ContactLists const& contacts)
+contact::StoredEnergy stored_energy(Params const& params, State const& state)
 {
     contact::StoredEnergy sum;
-    contacts.for_each([&](ContactList const& list) {
+    state.contacts.for_each([&](ContactList const& list) {
         for (std::size_t s = 0; s < list.size(); ++s)
             if (list.touching[s])
                 sum +=
                     share_of(list) *
                     contact::stored_energy(params.laws[list.interaction], params.layouts[list.interaction],
                                            list.state.data() + s * static_cast<std::size_t>(list.state_size));
+    });
+    state.hulls.for_each([&](HullContactList const& list) {
+        for (std::size_t c = 0; c < list.contacts.size(); ++c)
+            sum += list.contacts[c].share * contact::stored_energy(params.laws[list.interaction],
+                                                                   params.layouts[list.interaction],
+                                                                   list.history(c));
     });
     return sum;
 }
@@ -42,7 +48,7 @@ EnergyLedger present_energy(Params const& params, State const& state)
     EnergyLedger ledger;
     add_particles(ledger, state.particles, params.options, catch_up(params, state));
     add_bodies(ledger, params, state);
-    contact::StoredEnergy const stored = stored_energy(params, state.contacts);
+    contact::StoredEnergy const stored = stored_energy(params, state);
     ledger.elastic_normal = stored.normal;
     ledger.elastic_tangential = stored.tangential;
     ledger.elastic_rolling = stored.rolling;

@@ -13,7 +13,7 @@ CatchUp catch_up(Params const& params, State const& state);
 double kinetic_energy(Params const& params, State const& state);   //!< translation and rotation [J]
 double potential_energy(Params const& params, State const& state); //!< in gravity, from the origin [J]
 //! What contacts hold; histories must have room for the ledger.
-contact::StoredEnergy stored_energy(Params const& params, ContactLists const& contacts);
+contact::StoredEnergy stored_energy(Params const& params, State const& state);
 //! The entries of a ledger that tell what there is now.
 EnergyLedger present_energy(Params const& params, State const& state);
 

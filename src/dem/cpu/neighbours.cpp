@@ -20,6 +20,7 @@ void NeighbourSearch::rebuild(Particles& particles, std::vector<Wall> const& wal
     sort_into_cells(particles, grid);
     index_old_contacts(particles.size(), contacts);
     set_histories_aside(contacts);
+    hull_pairs_.clear(), hulls_at_walls_.clear();
     large_.clear();
     for (std::uint32_t i = 0; i < particles.owned(); ++i)
         if (particles.place[i].radius > grid.regular_radius())
@@ -48,7 +49,7 @@ void NeighbourSearch::sort_into_cells(Particles& particles, CellGrid const& grid
         number_along_cells(particles, grid, particles.owned(), n, ghost_cell_start);
 
     sorted_.resize(n);
-    sorted_.body.resize(particles.body.size());
+    sorted_.body.resize(particles.body.size()), sorted_.hull.resize(particles.hull.size());
     sorted_.ghosts = particles.ghosts;
     for (std::size_t i = 0; i < n; ++i) {
         std::uint32_t const to = new_index_[i];
@@ -60,6 +61,8 @@ void NeighbourSearch::sort_into_cells(Particles& particles, CellGrid const& grid
     }
     for (std::size_t i = 0; i < particles.body.size(); ++i)
         sorted_.body[new_index_[i]] = particles.body[i];
+    for (std::size_t i = 0; i < particles.hull.size(); ++i)
+        sorted_.hull[new_index_[i]] = particles.hull[i];
     std::swap(particles, sorted_);
 }
 
@@ -175,6 +178,10 @@ DEMENS_INLINE void NeighbourSearch::test_pair(Particles const& particles, std::u
     double const furthest = touching + lists.reach.candidates;
     if (squared >= furthest * furthest || particles.are_of_one_body(first, second))
         return;
+    if (particles.is_hull(first) || particles.is_hull(second)) {
+        hull_pairs_.push_back({first, second});
+        return;
+    }
     ContactList& list = lists.of_interaction[interaction_[particles.material[first] * materials_ +
                                                           particles.material[second]]];
     list.candidates.push_back({first, second});
@@ -282,6 +289,10 @@ void NeighbourSearch::find_wall_contacts(Particles const& particles, std::vector
         bool const is_mesh = std::holds_alternative<Mesh>(wall.shape);
         for (std::size_t k = 0; k < found.particles.size(); ++k) {
             std::uint32_t const i = found.particles[k];
+            if (particles.is_hull(i)) {
+                hulls_at_walls_.push_back({i, w});
+                continue;
+            }
             auto& list = lists[interaction_[particles.material[i] * materials_ + wall.material.value]];
             if (is_mesh) {
                 std::span const triangles(found.near_triangles.data() + found.triangle_start[k],

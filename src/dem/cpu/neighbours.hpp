@@ -36,6 +36,9 @@ class NeighbourSearch
                  ContactLists& contacts);
     //! The number that each particle got at the last rebuild, by the one it had.
     std::vector<std::uint32_t> const& new_numbers() const { return new_index_; }
+    //! Pairs of which one is a hull, or both, and hulls near walls: they are in no list.
+    std::vector<CandidatePair> const& hull_pairs() const { return hull_pairs_; }
+    std::vector<CandidatePair> const& hulls_at_walls() const { return hulls_at_walls_; }
 
   private:
     //! A touching contact of the old lists, by its new particle numbers.
@@ -82,6 +85,7 @@ class NeighbourSearch
     std::size_t materials_;
     std::vector<std::uint32_t> interaction_;
     Periods periods_;
+    std::vector<CandidatePair> hull_pairs_, hulls_at_walls_;
     std::vector<std::uint32_t> large_; //!< owned particles that are larger than the cells fit
     std::vector<std::uint32_t> cell_of_, cell_start_, new_index_;
     std::vector<std::uint32_t> old_start_;

@@ -2,6 +2,7 @@
 
 #include "demens/base/contract.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,6 +22,25 @@ Vector3 periods_to(Periods const& periods, Vector3 const& at)
     return {periods_to(periods.x, at.x), periods_to(periods.y, at.y), 0};
 }
 
+//! Its balls, or the one that holds a hull.
+grain::Clump elements_of(grain::BodyShape const& shape)
+{
+    return shape.is_hull() ? grain::Clump{{{}, shape.reach()}} : shape.balls;
+}
+
+//! The next body is a hull of this shape.
+void note_hull(RigidBodies& bodies, Particles& particles,
+               std::shared_ptr<grain::BodyShape const> const& shape)
+{
+    particles.hull.resize(particles.size(), 0);
+    bodies.hull.resize(bodies.size(), RigidBodies::no_hull);
+    auto& shapes = bodies.hull_shapes;
+    auto const found = std::find(shapes.begin(), shapes.end(), shape);
+    bodies.hull.push_back(static_cast<std::uint32_t>(found - shapes.begin()));
+    if (found == shapes.end())
+        shapes.push_back(shape);
+}
+
 } // namespace
 
 bool RigidBodies::is_whole(std::size_t particles) const
@@ -28,11 +48,15 @@ bool RigidBodies::is_whole(std::size_t particles) const
     std::size_t const elements = element.size();
     if (motion.size() != size() || mass.size() != size() || load.size() != size() ||
         elements_end.size() != size() || arm.size() != elements || image.size() != elements ||
-        (empty() ? 0 : elements_end.back()) != elements)
+        (empty() ? 0 : elements_end.back()) != elements || (!hull.empty() && hull.size() != size()))
         return false;
-    for (std::size_t b = 0; b < size(); ++b)
+    for (std::size_t b = 0; b < size(); ++b) {
         if (elements_end[b] <= elements_begin(b))
             return false;
+        bool const one_element = elements_end[b] == elements_begin(b) + 1;
+        if (!hull.empty() && hull[b] != no_hull && (hull[b] >= hull_shapes.size() || !one_element))
+            return false;
+    }
     for (std::uint32_t const number : element)
         if (number >= particles)
             return false;
@@ -48,7 +72,9 @@ void add_body(RigidBodies& bodies, Particles& particles, Body const& body, Vecto
     Rotation const axes = body.orientation.normalized().rotation();
     auto const number = static_cast<std::uint32_t>(bodies.size());
     particles.body.resize(particles.size(), Particles::alone);
-    for (grain::Ball const& ball : body.shape->balls) {
+    if (body.is_hull())
+        note_hull(bodies, particles, body.shape);
+    for (grain::Ball const& ball : elements_of(*body.shape)) {
         Vector3 const arm = r * ball.place, arm_now = axes(arm), place = body.position + arm_now;
         Vector3 const v = velocity + cross(body.spin, arm_now);
         bodies.element.push_back(static_cast<std::uint32_t>(particles.size()));
@@ -60,6 +86,8 @@ void add_body(RigidBodies& bodies, Particles& particles, Body const& body, Vecto
         particles.material.push_back(body.material.value);
         particles.id.push_back(first_id++);
         particles.body.push_back(number);
+        if (body.is_hull() || !particles.hull.empty())
+            particles.hull.push_back(body.is_hull());
     }
     Vector3 const seen = axes.inverse(body.spin);
     bodies.pose.push_back({body.position, body.orientation.normalized()});
@@ -67,6 +95,8 @@ void add_body(RigidBodies& bodies, Particles& particles, Body const& body, Vecto
     bodies.mass.push_back({mass, inertia, r});
     bodies.load.push_back({});
     bodies.elements_end.push_back(static_cast<std::uint32_t>(bodies.element.size()));
+    if (!body.is_hull() && !bodies.hull.empty())
+        bodies.hull.push_back(RigidBodies::no_hull);
 }
 
 void renumber(RigidBodies& bodies, std::span<std::uint32_t const> new_numbers)

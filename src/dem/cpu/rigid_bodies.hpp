@@ -5,6 +5,7 @@
 #include "demens/dem/periods.hpp"
 #include "src/dem/rotation.hpp"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -38,9 +39,10 @@ struct BodyLoad
     Vector3 force, torque; //!< [N], [N m]
 };
 
-//! Bodies of several elements. The elements are particles like others for search, walls and contacts; their
-//! places and motions follow from those of their body, and the mass of each is that of the body. A sphere is
-//! its own body and is not in here. Bodies keep their order.
+//! Bodies of several elements, or hulls, whose one element is the sphere that holds it. The elements are
+//! particles like others for search, walls and contacts; their places and motions follow from those of their
+//! body, and the mass of each is that of the body. A sphere is its own body and is not in here. Bodies keep
+//! their order.
 struct RigidBodies
 {
     std::vector<BodyPose> pose;
@@ -48,6 +50,9 @@ struct RigidBodies
     std::vector<BodyMass> mass;
     std::vector<BodyLoad> load; //!< of the surroundings; what its elements bear is in their loads
     std::vector<std::uint32_t> elements_end; //!< where its elements end in the columns below
+    std::vector<std::uint32_t> hull; //!< its number among the shapes, or `no_hull`; empty: none is a hull
+    static constexpr std::uint32_t no_hull = 0xffffffff;
+    std::vector<std::shared_ptr<grain::BodyShape const>> hull_shapes; //!< each once
 
     // Of the elements, body after body
     std::vector<std::uint32_t> element; //!< number of the particle
@@ -58,6 +63,20 @@ struct RigidBodies
     std::size_t size() const { return pose.size(); }
     bool empty() const { return pose.empty(); }
     std::size_t elements_begin(std::size_t body) const { return body > 0 ? elements_end[body - 1] : 0; }
+    bool is_hull(std::size_t body) const { return !hull.empty() && hull[body] != no_hull; }
+    grain::BodyShape const& hull_shape(std::size_t body) const { return *hull_shapes[hull[body]]; }
+    //! How many ids a body has: its elements', of a hull those of the balls that it is read as.
+    std::size_t ids(std::size_t body) const
+    {
+        return is_hull(body) ? hull_shape(body).balls.size() : elements_end[body] - elements_begin(body);
+    }
+    std::size_t all_ids() const
+    {
+        std::size_t count = 0;
+        for (std::size_t b = 0; b < size(); ++b)
+            count += ids(b);
+        return count;
+    }
     //! Whether columns have the lengths that they should, for so many particles.
     bool is_whole(std::size_t particles) const;
 };

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "demens/contact/evaluation/state_layout.hpp"
 #include "demens/contact/range.hpp"
 #include "demens/dem/particles.hpp"
 #include "src/dem/cpu/contact_list.hpp"
 #include "src/dem/cpu/energy_tally.hpp"
+#include "src/dem/cpu/hulls/hull_contact_list.hpp"
 #include "src/dem/cpu/neighbours.hpp"
 #include "src/dem/cpu/rigid_bodies.hpp"
 #include "src/dem/wall_set.hpp"
@@ -32,8 +34,9 @@ struct State
     RigidBodies bodies = {};  //!< whose elements are particles
     WallSet walls = {};
     std::vector<WallLoad> wall_loads = {}; //!< by the particles of this process
-    ContactLists contacts = {};
-    EnergyTally tally = {}; //!< zero without the ledger
+    ContactLists contacts = {};            //!< of balls
+    HullContactLists hulls = {};           //!< contacts of which one side, or both, are hulls
+    EnergyTally tally = {};                //!< zero without the ledger
     ListClock lists = {};
     std::uint32_t particles_added = 0; //!< by all processes
     std::int64_t steps_done = 0;
@@ -41,5 +44,12 @@ struct State
     bool leaping = false;     //!< a particle has moved by more than its radius in a step since the last check
     bool overlapping = false; //!< an overlap was beyond the limit since the last check
 };
+
+//! Adds empty lists of contacts for the next law set.
+inline void add_law_set(State& state, contact::StateLayout const& layout, bool with_ghosts)
+{
+    state.contacts.add_law_set(layout.size, layout.scalars, with_ghosts);
+    state.hulls.add_law_set(layout.size);
+}
 
 } // namespace demens::dem

@@ -1,6 +1,7 @@
 #include "src/dem/cpu/state_record.hpp"
 
 #include "demens/dem/record_fields.hpp"
+#include "src/dem/cpu/hulls/hull_record.hpp"
 #include "src/dem/record_fit.hpp"
 
 #include <utility>
@@ -230,6 +231,8 @@ void write_state(StateRecord& record, Params const& params, State const& state)
         visit_surroundings(write, state.tally);
     if (!state.bodies.empty())
         visit_rigid_bodies(write, state);
+    if (!state.bodies.hull_shapes.empty())
+        write_hulls(record, state);
     for (auto const& [name, sums] : losses) {
         auto const& lane = state.tally.losses.*sums;
         write(name, std::vector<double>(std::begin(lane), std::end(lane)));
@@ -267,9 +270,12 @@ State read_state(StateRecord const& record, Params const& params)
     state.walls = WallSet::restore(record);
     bool const with_ghosts = params.options.team != nullptr;
     for (auto const& layout : params.layouts)
-        state.contacts.add_law_set(layout.size, layout.scalars, with_ghosts);
+        add_law_set(state, layout, with_ghosts);
     state.contacts.for_each([&](ContactList& list) { read_list(read, list); });
+    if (has_hulls(record))
+        read_hulls(record, state);
     check_bodies(params, state);
+    check_hulls(state);
     find_arms(state.bodies);
     return state;
 }

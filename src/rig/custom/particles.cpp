@@ -138,6 +138,12 @@ bool ParticleGroup::are_spheres() const
     return !packing || packing->grains->are_spheres();
 }
 
+bool ParticleGroup::have_hulls() const
+{
+    auto const* packing = std::get_if<Packing>(&source);
+    return packing && packing->grains->have_hulls();
+}
+
 double ParticleGroup::smallest() const
 {
     if (auto const* packing = std::get_if<Packing>(&source))

@@ -39,6 +39,7 @@ struct ParticleGroup
 
     bool is_one_body() const;
     bool are_spheres() const;
+    bool have_hulls() const; //!< among them
     double smallest() const; //!< diameter [m]; of other grains that of their smallest sphere
     double expected_count(double density) const;
     shape::BoxRegion bounds() const; //!< of where they enter

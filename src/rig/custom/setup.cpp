@@ -33,6 +33,20 @@ void check_pairs(Setup const& setup)
     }
 }
 
+//! \throws InputError where polyhedra would touch a mesh
+void check_hulls(Setup const& setup)
+{
+    bool const have_hulls = std::any_of(setup.groups.begin(), setup.groups.end(),
+                                        [](auto const& group) { return group.have_hulls(); });
+    for (auto const& wall : setup.walls)
+        for (auto const& part : wall.parts)
+            if (have_hulls && std::holds_alternative<dem::Mesh>(part.shape))
+                throw InputError(
+                    fmt::format("the wall {} is a mesh, which polyhedra ([shape.NAME]) do not touch; make it "
+                                "of planes, discs, cylinders or cones, or the grains of spheres",
+                                wall.name));
+}
+
 //! Time step for the particles that need the smallest.
 double time_step_of(Setup const& setup, OptionValues const& options)
 {
@@ -117,6 +131,7 @@ Setup::Setup(RunInput const& input)
     options.domain_lower = box.lower, options.domain_upper = box.upper;
     span_planes(walls, box);
     check_meshes(*this);
+    check_hulls(*this);
     for (auto const& stage : stages)
         for (auto const& wall : stage.walls_on)
             if (lists(stage.walls_off, wall))

@@ -342,8 +342,12 @@ void ProgrammeRun::check_health()
         throw RunFailure(RunStatus::escaped, "a particle left the domain " + moment());
     case dem::Health::overlapping:
         throw RunFailure(RunStatus::overlapping,
-                         fmt::format("two bodies overlap by more than {:.0f} % of the smaller radius {}",
-                                     100 * simulation.options().overlap_limit, moment()));
+                         fmt::format("two bodies overlap by more than {:.0f} % of the smaller radius{} {}",
+                                     100 * simulation.options().overlap_limit,
+                                     programme_.has_rigid_bodies
+                                         ? ", or two polyhedra by more than twice their roundings,"
+                                         : "",
+                                     moment()));
     case dem::Health::leaping:
         throw RunFailure(
             RunStatus::overlapping,

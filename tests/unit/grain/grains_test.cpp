@@ -2,6 +2,7 @@
 #include "demens/grain/grains.hpp"
 
 #include "demens/base/error.hpp"
+#include "tests/unit/grain/hulls.hpp"
 
 #include <gtest/gtest.h>
 
@@ -177,6 +178,41 @@ TEST(Grains, LieInARegionTurnedAtRandomAndApart)
     // error of 0.298/sqrt(200).
     for (double const square : {mean.x, mean.y, mean.z})
         EXPECT_NEAR(square, 1.0 / 3, 3 * 0.022);
+}
+
+TEST(BodyShape, OfAHullHasItsVolumeAndInertiaAndBallsWithinIt)
+{
+    double const rounding = 0.05;
+    auto const shape = body_shape(rounded(cube_hull(1), rounding, "cube"), "cube");
+    ASSERT_TRUE(shape.is_hull());
+    EXPECT_FALSE(shape.is_sphere());
+    // In radii of the sphere of the same volume.
+    EXPECT_NEAR(volume_moments(*shape.hull).volume, 4.0 / 3 * std::numbers::pi, 1e-9);
+    double const side = std::cbrt(4.0 / 3 * std::numbers::pi); // of a sharp cube
+    EXPECT_NEAR(shape.inertia.x, side * side / 6, 0.01);       // m a^2/6
+    EXPECT_NEAR(shape.inertia.x, shape.inertia.z, 1e-9);
+    double const half = shape.hull->core.vertices().front().x;
+    double const reach = std::sqrt(3.0) * std::abs(half) + shape.hull->rounding;
+    EXPECT_NEAR(shape.reach(), reach, 1e-9);
+    for (Ball const& ball : shape.balls)
+        for (double const x : {ball.place.x, ball.place.y, ball.place.z})
+            EXPECT_LE(std::abs(x) + ball.radius, std::abs(half) + shape.hull->rounding + 1e-9);
+    EXPECT_GT(volume_moments(shape.balls).volume, 0.7 * 4.0 / 3 * std::numbers::pi); // they fill it
+}
+
+TEST(GrainShape, OfAHullIsPutAsTheBallThatHoldsIt)
+{
+    auto const shape = grain_shape("cube", rounded(cube_hull(1), 0.03, "cube"), SizeMeasure::square_sieve);
+    EXPECT_NEAR(shape.equivalent_per_size, 2 * std::cbrt(3 / (4 * std::numbers::pi)), 1e-2); // side 1
+    Grains const grains(one_size(2e-3), {{shape}, {1}});
+    EXPECT_TRUE(grains.have_hulls());
+    auto const sample = std::vector<Grain>{{2e-3, 0}};
+    auto const outlines = grains.outlines(sample);
+    ASSERT_EQ(outlines.at(0).spheres.size(), 1u);
+    EXPECT_FALSE(outlines[0].is_sphere()); // it is turned
+    EXPECT_NEAR(outlines[0].reach(), 1e-3 * shape.shape->reach(), 1e-12);
+    EXPECT_NEAR(grains.looseness(), std::pow(shape.shape->reach(), -3), 1e-12);
+    EXPECT_NEAR(grains.smallest_ball(), 2e-3 * shape.equivalent_per_size, 1e-12);
 }
 
 } // namespace

@@ -42,4 +42,14 @@ DEMENS_FUNCTION inline void hull_contacts(CorePair const& pair, double rounding_
                  1, feature_id(ContactFeature::edges, nearest.vertex_a[0], nearest.vertex_b[0])});
 }
 
+//! Places from the axes and the place of the first hull to those of space.
+DEMENS_FUNCTION inline void put_in_space(ContactSet& set, CorePose const& first)
+{
+    for (int k = 0; k < set.count; ++k) {
+        FeatureContact& contact = set.contacts[k];
+        contact.point = first.place + first.rotation(contact.point);
+        contact.normal = first.rotation(contact.normal);
+    }
+}
+
 } // namespace demens::grain

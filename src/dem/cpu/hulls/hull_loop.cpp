@@ -1,0 +1,251 @@
+#include "src/dem/cpu/hulls/hull_loop.hpp"
+
+#include "demens/contact/evaluation/loads.hpp"
+#include "src/dem/cpu/law_stages.hpp"
+#include "src/dem/cpu/wall_work.hpp"
+
+#include <algorithm>
+
+namespace demens::dem {
+namespace {
+
+//! Radius and motion of a particle, in the place of a ball that moves with it; of a hull the ball's radius.
+contact::Sphere ball_of(State const& state, std::uint32_t particle, Vector3 const& arm)
+{
+    Particles const& particles = state.particles;
+    Place const& p = particles.place[particle];
+    Motion const& m = particles.motion[particle];
+    double const radius =
+        particles.is_hull(particle) ? state.bodies.mass[particles.body[particle]].radius : p.radius;
+    Vector3 const spin{m.wx, m.wy, m.wz};
+    return {Vector3{p.x, p.y, p.z} + arm, radius, Vector3{m.vx, m.vy, m.vz} + cross(spin, arm), m.mass, spin};
+}
+
+void put(ContactBlock& b, int l, contact::Meeting const& m)
+{
+    b.dx[l] = m.apart.x, b.dy[l] = m.apart.y, b.dz[l] = m.apart.z;
+    b.radius_i[l] = m.radius_i, b.radius_j[l] = m.radius_j;
+    b.mass_i[l] = m.mass_i, b.mass_j[l] = m.mass_j;
+    b.vx[l] = m.velocity.x, b.vy[l] = m.velocity.y, b.vz[l] = m.velocity.z;
+    b.wix[l] = m.spin_i.x, b.wiy[l] = m.spin_i.y, b.wiz[l] = m.spin_i.z;
+    b.wjx[l] = m.spin_j.x, b.wjy[l] = m.spin_j.y, b.wjz[l] = m.spin_j.z;
+}
+
+//! Reads contacts [from, from + block.count); lanes past the last one repeat it.
+void gather(ContactBlock& block, HullContactList const& list, std::vector<HullPair> const& pairs,
+            std::size_t from, State const& state)
+{
+    for (int l = 0; l < ContactBlock::padded(block.count); ++l) {
+        std::size_t const c = from + static_cast<std::size_t>(std::min(l, block.count - 1));
+        HullContact const& contact = list.contacts[c];
+        auto const [first, second, memory] = pairs[contact.pair];
+        contact::Sphere const i = ball_of(state, first, contact.arm_first);
+        put(block, l,
+            list.with_walls ? contact::meeting(i, state.walls.all()[second].surface(), contact.apart)
+                            : contact::meeting(i, ball_of(state, second, contact.arm_second), contact.apart));
+        for (int k = 0; k < list.state_size; ++k)
+            block.state[k][l] = list.history(c)[k];
+    }
+}
+
+//! Forces, torques and losses count as much as their contacts.
+void apply_shares(ContactBlock& b, HullContact const* contacts, bool with_losses)
+{
+    for (int l = 0; l < b.count; ++l) {
+        double const share = contacts[l].share;
+        for (auto* lane : {&b.fx, &b.fy, &b.fz, &b.mx, &b.my, &b.mz})
+            (*lane)[l] *= share;
+        if (with_losses)
+            for (auto* lane :
+                 {&b.lost_to_damping, &b.lost_to_friction, &b.lost_to_rolling, &b.lost_to_cohesion})
+                (*lane)[l] *= share;
+    }
+}
+
+void add(Load& load, Vector3 const& force, Vector3 const& torque)
+{
+    load.fx += force.x, load.fy += force.y, load.fz += force.z;
+    load.tx += torque.x, load.ty += torque.y, load.tz += torque.z;
+}
+
+Vector3 vector_of(contact::Components<double> const& c)
+{
+    return {c.x, c.y, c.z};
+}
+
+//! Adds the loads of a block to the bodies, and writes its histories.
+void scatter(ContactBlock const& b, HullContactList& list, std::vector<HullPair> const& pairs,
+             std::size_t from, State& state)
+{
+    for (int l = 0; l < b.count; ++l) {
+        std::size_t const c = from + static_cast<std::size_t>(l);
+        HullContact const& contact = list.contacts[c];
+        HullPair const& pair = pairs[contact.pair];
+        auto const loads =
+            contact::body_loads<double>({b.nx[l], b.ny[l], b.nz[l]}, b.arm_i[l], b.arm_j[l],
+                                        {b.fx[l], b.fy[l], b.fz[l]}, {b.mx[l], b.my[l], b.mz[l]});
+        Vector3 const force = vector_of(loads.force), torque = vector_of(loads.torque_i);
+        auto& load = state.particles.load;
+        add(load[pair.first], force, torque + cross(contact.arm_first, force));
+        if (list.with_walls) {
+            Place const& p = state.particles.place[pair.first];
+            WallLoad& wall = state.wall_loads[pair.second];
+            Vector3 const arm =
+                Vector3{p.x, p.y, p.z} + contact.arm_first - state.walls.all()[pair.second].pivot;
+            wall.force -= force;
+            wall.torque += contact::torque_on_wall(arm, force, torque);
+        } else {
+            add(load[pair.second], -force, vector_of(loads.torque_j) - cross(contact.arm_second, force));
+        }
+        for (int k = 0; k < list.state_size; ++k)
+            list.history(c)[k] = b.state[k][l];
+    }
+}
+
+} // namespace
+
+void HullLoop::compute(Params const& params, State& state)
+{
+    state.hulls.for_each([&](HullContactList& list) {
+        if (!list.pairs.empty())
+            compute(params, state, list);
+    });
+}
+
+void HullLoop::compute(Params const& params, State& state, HullContactList& list)
+{
+    find_contacts(params, state, list);
+    if (params.layouts[list.interaction].ledger) // no forces, but what they have lost in parting
+        evaluate(params, state, list.pairs, parted_);
+    std::swap(list.contacts, now_.contacts), std::swap(list.state, now_.state);
+    evaluate(params, state, list.pairs, list);
+}
+
+//! What does not differ between the contacts of a pair.
+struct HullLoop::PairPlace
+{
+    Vector3 first, second;          //!< centres of the bodies [m]
+    double ball_first, ball_second; //!< radii of the balls that stand for them [m]
+    bool with_wall;
+
+    double touching() const { return with_wall ? ball_first : ball_first + ball_second; }
+};
+
+namespace {
+
+template <class PairPlace>
+HullContact contact_at(grain::FeatureContact const& at, std::uint32_t pair, PairPlace const& place)
+{
+    Vector3 const& n = at.normal;
+    double const touching = place.touching(), half = 0.5 * at.overlap;
+    HullContact contact{pair, at.feature, at.share, {}, {}, {}};
+    // An overlap beyond half a ball fails the run; the normal stays the right way round till then.
+    contact.apart = -std::max(touching - at.overlap, 0.1 * touching) * n;
+    contact.arm_first = at.point - (place.ball_first - half) * n - place.first;
+    if (!place.with_wall)
+        contact.arm_second = at.point + (place.ball_second - half) * n - place.second;
+    return contact;
+}
+
+//! A contact that has parted: its balls touch without an overlap.
+template <class PairPlace>
+HullContact at_touch(HullContact contact, PairPlace const& place)
+{
+    contact.apart *= place.touching() / norm(contact.apart);
+    return contact;
+}
+
+constexpr std::uint32_t gone_on = 0xffffffff; //!< feature of a contact whose history has been taken over
+
+} // namespace
+void HullLoop::find_contacts(Params const& params, State& state, HullContactList& list)
+{
+    for (HullContactList* all : {&now_, &parted_}) {
+        all->clear();
+        all->interaction = list.interaction;
+        all->with_walls = list.with_walls, all->state_size = list.state_size;
+    }
+    auto const size = static_cast<std::size_t>(list.state_size);
+    std::size_t from = 0;
+    for (std::uint32_t p = 0; p < list.pairs.size(); ++p) {
+        std::size_t to = from;
+        while (to < list.contacts.size() && list.contacts[to].pair == p)
+            ++to;
+        PairPlace const place = find_places(params, state, list.with_walls, list.pairs[p]);
+        for (int k = 0; k < set_.count; ++k) {
+            grain::FeatureContact const& at = set_.contacts[k];
+            now_.contacts.push_back(contact_at(at, p, place));
+            std::size_t old = from;
+            while (old < to && list.contacts[old].feature != at.feature)
+                ++old;
+            if (old < to) {
+                now_.state.insert(now_.state.end(), list.history(old), list.history(old) + size);
+                list.contacts[old].feature = gone_on;
+            } else {
+                now_.state.resize(now_.state.size() + size, 0.0);
+            }
+        }
+        for (; from < to; ++from)
+            if (list.contacts[from].feature != gone_on) {
+                parted_.contacts.push_back(at_touch(list.contacts[from], place));
+                parted_.state.insert(parted_.state.end(), list.history(from), list.history(from) + size);
+            }
+    }
+}
+
+HullLoop::PairPlace HullLoop::find_places(Params const& params, State& state, bool with_wall, HullPair& pair)
+{
+    set_.count = 0;
+    Place const& a = state.particles.place[pair.first];
+    grain::CoreView const point(point_);
+    HullParty const first = party_of(state, pair.first, point);
+    PairPlace place{first.pose.place, {}, first.ball, 0, with_wall};
+    if (with_wall) {
+        walls_.find(first, a.radius, state.walls.all()[pair.second].shape, pair.second, pair.memory, set_);
+        return place;
+    }
+    HullParty second = party_of(state, pair.second, point);
+    Place const& b = state.particles.place[pair.second];
+    Periods const& periods = params.options.periodic;
+    Vector3 const to_second{nearest_image(b.x - a.x, periods.x.length(), periods.x.half()),
+                            nearest_image(b.y - a.y, periods.y.length(), periods.y.half()), b.z - a.z};
+    second.pose.place = place.second = place.first + to_second;
+    place.ball_second = second.ball;
+    double const furthest = a.radius + b.radius, reach = first.rounding + second.rounding;
+    if (norm_squared(to_second) >= furthest * furthest)
+        return place;
+    grain::hull_contacts({first.core, first.pose, second.core, second.pose}, first.rounding, second.rounding,
+                         pair.memory, set_);
+    grain::put_in_space(set_, first.pose);
+    for (int k = 0; k < set_.count; ++k)
+        state.overlapping |= set_.contacts[k].overlap > 2 * reach; // cores overlap as much as the roundings
+    return place;
+}
+
+void HullLoop::evaluate(Params const& params, State& state, std::vector<HullPair> const& pairs,
+                        HullContactList& list)
+{
+    ContactBlock& block = *block_;
+    auto const& layout = params.layouts[list.interaction];
+    SimulationOptions const& options = params.options;
+    constexpr std::size_t lanes = ContactBlock::lanes;
+    for (std::size_t from = 0; from < list.contacts.size(); from += lanes) {
+        block.count = static_cast<int>(std::min(lanes, list.contacts.size() - from));
+        gather(block, list, pairs, from, state);
+        state.overlapping |= derive_geometry(block, list.with_walls, options.overlap_limit);
+        evaluate_laws(block, params.laws[list.interaction], layout, options.time_step);
+        apply_shares(block, list.contacts.data() + from, layout.ledger);
+        if (layout.ledger) {
+            state.tally.losses.add(block, 1);
+            if (list.with_walls)
+                state.tally.work_of_walls += work_beside_torque(block, options.time_step, [&](int l) {
+                    return state.walls
+                        .all()[pairs[list.contacts[from + static_cast<std::size_t>(l)].pair].second]
+                        .spin;
+                });
+        }
+        scatter(block, list, pairs, from, state);
+    }
+}
+
+} // namespace demens::dem

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "demens/dem/state_record.hpp"
+#include "src/dem/cpu/state.hpp"
+
+namespace demens::dem {
+
+// Hulls and their contacts to a record and back; they are in it only where there are hulls.
+
+void write_hulls(StateRecord& record, State const& state);
+bool has_hulls(StateRecord const& record);
+//! The lists of contacts must be there. \throws InputError where an array is missing or does not fit
+void read_hulls(StateRecord const& record, State& state);
+//! \throws InputError where hulls do not fit with particles and bodies, or contacts with both
+void check_hulls(State const& state);
+
+} // namespace demens::dem
