@@ -27,6 +27,7 @@ class Diagnosis
     Projection const& projection() const { return projection_; }
     Hypotheses const& hypotheses() const { return hypotheses_; }
     Attributor const& attributor() const { return attributor_; }
+    Locator const& locator() const { return locator_; }
     Located const& located() const { return located_; }
     std::vector<CellGroup> const& groups() const { return groups_; }
     Attribution const& attribution() const { return attribution_; }

@@ -264,6 +264,15 @@ std::vector<double> typical_change(Diagnosis const& found, std::size_t effect)
     return {change.begin(), change.end()};
 }
 
+//! What recalibration leaves of a change, over its standard deviation, by cell; null where not testable.
+std::vector<double> left_of(Diagnosis const& found, Eigen::VectorXd const& change)
+{
+    if (change.size() == 0)
+        return {};
+    auto const left = found.locator().left_of(change);
+    return {left.begin(), left.end()};
+}
+
 nlohmann::json json_of(Located const& located, Diagnosis const& found)
 {
     nlohmann::json cells = nlohmann::json::array(), groups = cells;
@@ -311,6 +320,8 @@ nlohmann::json json_of(Attribution const& attribution, Diagnosis const& found)
                            {"amplitude_meaning", found.campaign().candidates[k].amplitude},
                            {"typical", found.effects()[k].typical},
                            {"signature_sigmas", typical_change(found, k)},
+                           {"left_sigmas", left_of(found, found.effects()[k].first)},
+                           {"left_sigmas_curved", left_of(found, found.effects()[k].second)},
                            {"absorbed_share", effect.absorbed_share}});
     }
     nlohmann::json named_groups = nlohmann::json::array();

@@ -1,6 +1,7 @@
 #include "gap/rehearsal/scores.hpp"
 
 #include "demens/base/error.hpp"
+#include "gap/statistics/locate.hpp"
 #include "gap/statistics/score.hpp"
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <map>
+#include <optional>
 
 namespace demens::gap {
 namespace {
@@ -147,6 +149,59 @@ class SaidAndTrue
     std::array<Bin, bins> bins_;
 };
 
+//! Cells that the effects of a case truly move beyond what recalibration hides and the floor covers: by twice
+//! the standard deviation at their true amplitudes, by the signatures of the diagnosis. None where an effect
+//! is not among these.
+std::optional<std::vector<bool>> moved_cells(CaseTruth const& truth, json const& answer)
+{
+    std::vector<double> left(answer.at("where").at("cells").size());
+    for (std::size_t e = 0; e < truth.effects.size(); ++e) {
+        auto const& effects = answer.at("which").at("effects");
+        auto const found = std::find_if(effects.begin(), effects.end(), [&](json const& effect) {
+            return effect.at("effect") == truth.effects[e];
+        });
+        if (found == effects.end())
+            return {};
+        double const a = truth.amplitudes[e];
+        auto const& straight = found->at("left_sigmas");
+        auto const& curved = found->at("left_sigmas_curved");
+        for (std::size_t cell = 0; cell < left.size(); ++cell)
+            if (straight.at(cell).is_number()) // else not testable
+                left[cell] += a * straight.at(cell).get<double>() +
+                              (curved.empty() ? 0 : a * a * curved.at(cell).get<double>());
+    }
+    std::vector<bool> moved;
+    for (double const sigmas : left)
+        moved.push_back(std::abs(sigmas) >= 2);
+    return moved;
+}
+
+//! Cells of all cases whose effects the diagnosis knows: those said to be beyond the floor, and those that
+//! are.
+class Locations
+{
+  public:
+    void add(CaseTruth const& truth, json const& answer)
+    {
+        auto const moved = moved_cells(truth, answer);
+        if (!moved)
+            return;
+        moved_.insert(moved_.end(), moved->begin(), moved->end());
+        for (auto const& cell : answer.at("where").at("cells"))
+            said_.push_back(cell.at("finding") == words(Finding::beyond_floor));
+    }
+    std::string text() const
+    {
+        auto const score = location_score(said_, moved_);
+        return fmt::format("F1 {:.2f} (precision {:.2f}, recall {:.2f}) of {} cells, {} of them moved",
+                           score.f1, score.precision, score.recall, said_.size(),
+                           std::count(moved_.begin(), moved_.end(), true));
+    }
+
+  private:
+    std::vector<bool> said_, moved_;
+};
+
 bool is_unknown(json const& answer, Classes const& classes)
 {
     auto const& which = answer.at("which");
@@ -163,6 +218,7 @@ std::string score_text(std::vector<AnsweredCase> const& cases)
     double brier = 0, logs = 0;
     SimplerRules rules;
     SaidAndTrue said;
+    Locations locations;
     for (auto const& [truth, answer] : cases) {
         auto const classes = classes_of(answer);
         auto const top = classes.first();
@@ -176,6 +232,7 @@ std::string score_text(std::vector<AnsweredCase> const& cases)
             p_truth += is_right ? classes.probabilities[k] : 0;
             brier += std::pow(classes.probabilities[k] - (classes.names[k] == right ? 1 : 0), 2);
         }
+        locations.add(truth, answer);
         said.add(classes, truth.kind == CaseKind::pair ? truth.effects : std::vector{right});
         if (truth.kind == CaseKind::none || truth.kind == CaseKind::single)
             rules.add(answer, right);
@@ -219,6 +276,7 @@ std::string score_text(std::vector<AnsweredCase> const& cases)
     line("outside the list: something named", misnamed.text());
     line("pairs: one of them first", one_of_pair.text());
     line("pairs: both named", both_of_pair.text());
+    line("located: cells beyond the floor", locations.text());
     line("closure of the right single effect, median",
          closures.empty() ? "no case" : fmt::format("{:.2f}", closures[closures.size() / 2]));
     if (!cases.empty()) {

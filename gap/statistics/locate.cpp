@@ -126,6 +126,11 @@ double Locator::smallest_p(Eigen::VectorXd const& residual) const
     return smallest;
 }
 
+Eigen::VectorXd Locator::left_of(Eigen::VectorXd const& change) const
+{
+    return sigmas(projection_.floor() * projection_.solve(change));
+}
+
 Eigen::VectorXd Locator::sigmas(Eigen::VectorXd const& refitted) const
 {
     Eigen::VectorXd t = refitted;

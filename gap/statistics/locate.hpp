@@ -77,6 +77,10 @@ class Locator
     //! are in none. \param residual y - m0 [n]
     Located locate(Eigen::VectorXd const& residual) const;
 
+    //! What recalibration leaves of a change of all cells, over its standard deviation, as t is [n]; NaN
+    //! where not testable.
+    Eigen::VectorXd left_of(Eigen::VectorXd const& change) const;
+
     //! The smallest p value of all cells, all groups, and all cells together, each for itself.
     double smallest_p(Eigen::VectorXd const& residual) const;
 

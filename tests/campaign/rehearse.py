@@ -76,6 +76,7 @@ with tempfile.TemporaryDirectory() as folder:
     scores = run(demens, "gap", "rehearse", "score", "rehearsal")
     print(scores)
     assert "single effect: right cause first" in scores and "Brier score" in scores and "right by the rule: cosine" in scores, scores
+    assert "located: cells beyond the floor" in scores and " of them moved" in scores, scores
     # what is drawn is new each time, so that the scores themselves are not for a test
 
     truth = json.load(open("rehearsal/truth/case01.json"))

@@ -55,6 +55,7 @@ TEST(Locate, FindsTheCellsThatAreOff)
     EXPECT_EQ(found.groups[1].finding, Finding::beyond_floor);
     EXPECT_EQ(found.groups[0].finding, Finding::within_floor);
     EXPECT_NEAR(found.cells[7].floor, std::sqrt(projection.floor()(7, 7)), 1e-12);
+    EXPECT_NEAR(locator.left_of(residual)[7], found.cells[7].sigmas, 1e-12);
     EXPECT_NEAR(found.cells[7].residual, refit(evidence, projection, residual).residual[7], 1e-10);
 }
 
