@@ -222,7 +222,8 @@ def write_case(pack, output, bank):
                 text += f"target.{response} = {{ value = {sum(values) / len(values):.6g}, scale = {deviation:.3g}, sd = {deviation:.3g} }}\n"
         return text
 
-    write(output, report["case"], 1, 0 if bank else 3, lines_of, # with the bank's runs no search is needed f'\n[run]\nbank = "{bank}"\n' if bank else "")
+    waves = 0 if bank else 3 # with the bank's runs no search is needed
+    write(output, report["case"], 1, waves, lines_of, f'\n[run]\nbank = "{bank}"\n' if bank else "")
 
 
 if sys.argv[1] == "--bank":
