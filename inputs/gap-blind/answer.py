@@ -22,7 +22,8 @@ found = json.load(open(sys.argv[1]))
 probabilities = dict.fromkeys(["none", "shape", "unknown", *names.values()], 0.0)
 for hypothesis in found["which"]["hypotheses"]:
     for effect in hypothesis["effects"]:
-        probabilities[names[effect]] += hypothesis["probability"] / len(hypothesis["effects"])
+        if effect in names: # else it is "none" or "unknown"
+            probabilities[names[effect]] += hypothesis["probability"] / len(hypothesis["effects"])
 probabilities["none"] += found["which"]["none"]
 for name, share in share_of_unknown.items():
     probabilities[name] += share * found["which"]["unknown"]
