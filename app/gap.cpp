@@ -120,8 +120,11 @@ int show_floor(std::vector<std::string> const& files)
         } catch (InputError const& error) {
             throw InputError(fmt::format("{}: {}", file, error.what()));
         }
-    fmt::print("form_floor = {:.4f} # of a response, by {} campaigns in which nothing is missing\n",
-               gap::estimate_form_floor(std::move(cases)), files.size());
+    auto const floor = gap::estimate_form_floor(std::move(cases));
+    fmt::print(
+        "form_floor = {:.4f} # of a response, by {} campaigns in which nothing is missing; at most {:.4f} at "
+        "95 %, which is safer against false alarms\n",
+        floor.most_likely, files.size(), floor.upper);
     return success;
 }
 

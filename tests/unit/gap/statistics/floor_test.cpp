@@ -73,7 +73,10 @@ TEST(Floor, IsEstimatedFromCasesWithoutEffect)
         cases.push_back(small_evidence(3, 4, 2, 0.04));
         cases.back().measured += Twins(truth, make_floor(truth).total(), 31).base(i);
     }
-    EXPECT_NEAR(estimate_form_floor(cases), 0.06, 0.006);
+    auto const found = estimate_form_floor(cases);
+    EXPECT_NEAR(found.most_likely, 0.06, 0.006);
+    EXPECT_GT(found.upper, found.most_likely);
+    EXPECT_LT(found.upper, 0.075);
     EXPECT_EQ(
         message([] { estimate_form_floor({}); }),
         "the form floor is estimated from no case: give cases in which nothing is missing, or say a floor");
