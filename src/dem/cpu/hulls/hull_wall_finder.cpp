@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <type_traits>
 
 namespace demens::dem {
@@ -34,19 +35,22 @@ grain::SurfaceSide side_at(Shape const& shape, Vector3 const& p, SeenFrom from)
 }
 
 //! The places of a hull and of a wall that are nearest to each other, from that nearest to the hull's centre
-//! on: each in turn nearest to the other.
+//! on: each in turn nearest to the other. None within the hollow, where a vertex is nearest.
 struct NearestPlaces
 {
     Vector3 on_hull, on_wall;
 };
 template <RoundShape Shape>
-NearestPlaces nearest_places(HullParty const& hull, double reach, Shape const& shape,
-                             grain::CoreView const& point)
+std::optional<NearestPlaces> nearest_places(HullParty const& hull, double reach, Shape const& shape,
+                                            bool inside, grain::CoreView const& point)
 {
     NearestPlaces places{hull.pose.place, nearest(shape, hull.pose.place)};
     grain::PairMemory memory;
     double const far = 10 * reach; // beyond the wall, which is near the sphere that holds the hull
     for (int k = 0; k < 100; ++k) {
+        if (inside &&
+            std::abs(dot(places.on_wall - shape.centre, shape.axis)) < (1 - 1e-9) * shape.half_length)
+            return {};
         grain::CorePair const pair(hull.core, hull.pose, point, {places.on_wall, {}, 1});
         Vector3 const on_hull = hull.pose.place + hull.pose.rotation(core_gap(pair, far, memory).on_a);
         double const moved = norm_squared(on_hull - places.on_hull);
@@ -59,10 +63,13 @@ NearestPlaces nearest_places(HullParty const& hull, double reach, Shape const& s
 
 //! Adds where a hull touches a rim, or the side that bends away from it, beside its vertices.
 template <RoundShape Shape>
-void add_nearest(grain::ContactSet& set, HullParty const& hull, double reach, Shape const& shape,
+void add_nearest(grain::ContactSet& set, HullParty const& hull, double reach, Shape const& shape, bool inside,
                  grain::CoreView const& point)
 {
-    auto const [on_hull, on_wall] = nearest_places(hull, reach, shape, point);
+    auto const places = nearest_places(hull, reach, shape, inside, point);
+    if (!places)
+        return;
+    auto const& [on_hull, on_wall] = *places;
     double const distance = norm(on_wall - on_hull);
     if (distance >= hull.rounding || distance < 1e-6 * hull.rounding) // a wall that cuts the core is not felt
         return;
@@ -92,7 +99,7 @@ void find_round(grain::ContactSet& set, HullParty const& hull, double reach, Sha
     set = grain::wall_contacts(hull.core, hull.pose, hull.rounding,
                                [&](Vector3 const& p) { return side_at(shape, p, from); });
     if (near_rim || !inside)
-        add_nearest(set, hull, reach, shape, point);
+        add_nearest(set, hull, reach, shape, inside, point);
 }
 
 } // namespace
