@@ -4,6 +4,7 @@
 #include "src/rig/custom/wall_seams.hpp"
 #include "src/rig/rigs.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace demens::rig {
@@ -47,6 +48,9 @@ Programme describe(RunInput const& input)
             begin_walls(bench, setup, k);
             enter(bench, setup, k);
         };
+        if (std::any_of(setup->groups.begin(), setup->groups.end(),
+                        [k](auto const& group) { return group.stage == k && group.is_inlet(); }))
+            stage.at_look = [k, &setup = *setup](Bench& bench) { pour(bench, setup, k); };
         programme.stages.push_back(std::move(stage));
     }
     programme.readings = readings(*setup);

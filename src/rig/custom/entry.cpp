@@ -199,16 +199,29 @@ std::vector<Body> existing(dem::StateView const& particles)
     return bodies;
 }
 
-std::vector<Body> fill(Look& look, Setup const& setup, std::size_t number, Packing const& packing)
+//! Whether a sphere reaches over a border beyond which everything repeats itself: what it would meet there is
+//! not looked at.
+bool crosses_border(dem::Periods const& periods, Vector3 const& place, double radius)
 {
-    auto const stream = derive_seed(setup.seed, number + 1);
+    auto const crosses = [radius](dem::Period const& period, double at) {
+        return period.on() && (at - radius < period.lower || at + radius > period.upper);
+    };
+    return crosses(periods.x, place.x) || crosses(periods.y, place.y);
+}
+
+//! \param batch from 0 on; each has its own places
+std::vector<Body> fill(Look& look, Setup const& setup, std::size_t number, Packing const& packing, int batch)
+{
+    auto const first = derive_seed(setup.seed, number + 1);
+    auto const stream = batch == 0 ? first : derive_seed(first, 2 + static_cast<std::uint64_t>(batch));
     RandomStream sizes(derive_seed(stream, 1)), places(derive_seed(stream, 2));
     auto const sample = sample_of(packing, setup.density(setup.groups[number]), sizes);
     std::vector<shape::Sphere> obstacles;
     for (auto const& body : existing(look.particles()))
         obstacles.push_back({body.place, body.radius});
     auto const is_free = [&](Vector3 const& p, double r) {
-        if (packing.within && !shape::contains(*packing.within, p, r))
+        if ((packing.within && !shape::contains(*packing.within, p, r)) ||
+            crosses_border(setup.options.periodic, p, r))
             return false;
         auto const& walls = look.simulation().walls();
         return std::none_of(walls.begin(), walls.end(), [&](dem::Wall const& wall) {
@@ -245,7 +258,7 @@ std::vector<Body> bodies_of(Look& look, Setup const& setup, std::size_t number)
 {
     auto const& source = setup.groups[number].source;
     if (auto const* packing = std::get_if<Packing>(&source))
-        return fill(look, setup, number, *packing);
+        return fill(look, setup, number, *packing, 0);
     auto bodies = std::get<ParticleTable>(source).bodies;
     if (auto const& clearance = setup.groups[number].clearance) {
         double const level = level_of(look.particles(), setup.upright);
@@ -285,6 +298,21 @@ void check_places(Setup const& setup)
     }
 }
 
+namespace {
+
+dem::IdRange add(Bench& bench, Setup const& setup, ParticleGroup const& group,
+                 std::vector<Body> const& bodies)
+{
+    dem::MaterialId const material = material_id(setup.model, group.material);
+    dem::BodyBatch batch;
+    for (auto const& body : bodies)
+        batch.push_back(
+            {body.place, body.radius, material, body.velocity, body.spin, body.shape, body.orientation});
+    return bench.simulation.add(batch);
+}
+
+} // namespace
+
 void enter(Bench& bench, Setup const& setup, std::size_t stage)
 {
     DEMENS_EXPECT(stage < setup.stages.size(), "a stage of the bench");
@@ -293,14 +321,31 @@ void enter(Bench& bench, Setup const& setup, std::size_t stage)
         if (setup.groups[g].stage != stage)
             continue;
         Look look(bench);
-        dem::MaterialId const material = material_id(setup.model, setup.groups[g].material);
-        dem::BodyBatch batch;
-        for (auto const& body : bodies_of(look, setup, g))
-            batch.push_back(
-                {body.place, body.radius, material, body.velocity, body.spin, body.shape, body.orientation});
+        auto const bodies = bodies_of(look, setup, g);
         auto& ids = bench.progress.groups[g].ids;
         DEMENS_EXPECT(ids.size() == 0, "a group enters once");
-        ids = bench.simulation.add(batch);
+        ids = add(bench, setup, setup.groups[g], bodies);
+    }
+}
+
+void pour(Bench& bench, Setup const& setup, std::size_t stage)
+{
+    double const now = bench.time_in_stage() + 0.5 * setup.options.time_step;
+    for (std::size_t g = 0; g < setup.groups.size(); ++g) {
+        auto const& group = setup.groups[g];
+        if (group.stage != stage || !group.is_inlet())
+            continue;
+        auto const& packing = std::get<Packing>(group.source);
+        double& batches = bench.progress.notes["later batches of " + group.name];
+        while (batches + 1 < packing.batches && now >= (batches + 1) * packing.every) {
+            batches += 1;
+            Look look(bench);
+            auto const more =
+                add(bench, setup, group, fill(look, setup, g, packing, static_cast<int>(batches)));
+            auto& ids = bench.progress.groups[g].ids;
+            DEMENS_EXPECT(more.first == ids.end, "nobody else enters meanwhile");
+            ids.end = more.end;
+        }
     }
 }
 

@@ -66,6 +66,10 @@ Source read_packing(OptionValues const& o, RunInput const& input, Regions const&
     packing.mass = o.number("mass_kg");
     if ((packing.count > 0) == (packing.mass > 0))
         throw InputError(where + " needs either count or mass_kg");
+    packing.batches = static_cast<int>(o.integer("batches"));
+    packing.every = o.number("every_s");
+    if ((packing.batches > 1) != (packing.every > 0))
+        throw InputError(where + " needs both batches and every_s to be an inlet");
     return packing;
 }
 
@@ -103,7 +107,10 @@ std::vector<SourceKind> make_sources()
                entry("size_distribution", "size_distribution", "sizes of the spheres"),
                number("diameter_mm", 0, "diameter of all, instead of size_distribution [mm]", 0),
                integer("count", 0, "number of spheres", 0, 1e8),
-               number("mass_kg", 0, "mass of all together, instead of count [kg]", 0), velocity}},
+               number("mass_kg", 0, "mass of all together, instead of count [kg]", 0), velocity,
+               integer("batches", 1,
+                       "an inlet: so often, as long as its stage lasts, with other places each time", 1, 1e6),
+               number("every_s", 0, "of an inlet: from one batch to the next [s]", 0)}},
              read_packing}};
 }
 
@@ -129,7 +136,14 @@ TableSpec particles_table()
 bool ParticleGroup::is_one_body() const
 {
     auto const* packing = std::get_if<Packing>(&source);
-    return packing ? packing->count == 1 : std::get<ParticleTable>(source).bodies.size() == 1;
+    return packing ? packing->count == 1 && packing->batches == 1
+                   : std::get<ParticleTable>(source).bodies.size() == 1;
+}
+
+bool ParticleGroup::is_inlet() const
+{
+    auto const* packing = std::get_if<Packing>(&source);
+    return packing && packing->batches > 1;
 }
 
 bool ParticleGroup::are_spheres() const
@@ -154,13 +168,24 @@ double ParticleGroup::smallest() const
                })->radius;
 }
 
+double ParticleGroup::largest() const
+{
+    if (auto const* packing = std::get_if<Packing>(&source))
+        return packing->grains->widest();
+    auto const& bodies = std::get<ParticleTable>(source).bodies;
+    return 2 * std::max_element(bodies.begin(), bodies.end(), [](auto const& a, auto const& b) {
+                   return a.radius < b.radius;
+               })->radius;
+}
+
 double ParticleGroup::expected_count(double density) const
 {
     if (auto const* packing = std::get_if<Packing>(&source)) {
+        double const mass = packing->mass * packing->batches;
         if (packing->count > 0)
-            return static_cast<double>(packing->count);
+            return static_cast<double>(packing->count * packing->batches);
         if (!packing->grains->are_spheres())
-            return packing->mass / density * packing->grains->per_volume();
+            return mass / density * packing->grains->per_volume();
         double per_mass = 0; // mean of 1/m over the mass
         constexpr int samples = 100;
         for (int k = 0; k < samples; ++k) {
@@ -168,7 +193,7 @@ double ParticleGroup::expected_count(double density) const
                 packing->sizes ? packing->sizes->quantile((k + 0.5) / samples) : packing->diameter;
             per_mass += 1 / sphere_mass(d, density) / samples;
         }
-        return packing->mass * per_mass;
+        return mass * per_mass;
     }
     return static_cast<double>(std::get<ParticleTable>(source).bodies.size());
 }
@@ -201,6 +226,13 @@ std::vector<ParticleGroup> read_particles(RunInput const& input, Regions const& 
             group.clearance = 1e-3 * o.number("clearance_mm");
         groups.push_back(std::move(group));
     }
+    for (std::size_t g = 0; g < groups.size(); ++g)
+        for (std::size_t later = g + 1; later < groups.size(); ++later)
+            if (groups[g].is_inlet() && groups[later].stage == groups[g].stage)
+                throw InputError(
+                    fmt::format("particles.{} enters in batches, and particles.{} in the same stage "
+                                "after it; list the inlet last, and one a stage",
+                                groups[g].name, groups[later].name));
     if (groups.empty())
         throw InputError("there are no particles; give at least one table [[experiment.particles]]");
     return groups;

@@ -24,6 +24,8 @@ struct Packing
     std::int64_t count = 0;                            //!< 0: as many as make the mass
     double mass = 0;                                   //!< [kg]
     Vector3 velocity = {};                             //!< [m/s]
+    int batches = 1;                                   //!< so often
+    double every = 0;                                  //!< [s] from one batch to the next
     std::string where = {};                            //!< its table in messages
 };
 
@@ -38,9 +40,12 @@ struct ParticleGroup
     std::optional<double> clearance;
 
     bool is_one_body() const;
+    //! Whether it goes on entering while its stage lasts.
+    bool is_inlet() const;
     bool are_spheres() const;
     bool have_hulls() const; //!< among them
     double smallest() const; //!< diameter [m]; of other grains that of their smallest sphere
+    double largest() const;  //!< diameter of what holds a grain [m]
     double expected_count(double density) const;
     shape::BoxRegion bounds() const; //!< of where they enter
 };

@@ -80,6 +80,31 @@ shape::BoxRegion domain_of(Setup const& setup, OptionValues const& options)
     return box;
 }
 
+//! The periodic directions, which are as wide as the domain. \throws InputError where they cannot be
+dem::Periods periods_of(Setup const& setup, OptionValues const& options, shape::BoxRegion const& domain)
+{
+    double largest = 0;
+    for (auto const& group : setup.groups)
+        largest = std::max(largest, group.largest());
+    double const least = 2.2 * (largest + setup.options.skin);
+    auto const period = [&](char const* key, double lower, double upper) {
+        if (!options.flag(key))
+            return dem::Period{};
+        if (is_absent(options.vector("domain_lower_mm")) || is_absent(options.vector("domain_upper_mm")))
+            throw InputError(fmt::format("{} = true needs domain_lower_mm and domain_upper_mm, between which "
+                                         "everything repeats itself",
+                                         key));
+        if (upper - lower < least)
+            throw InputError(
+                fmt::format("{} = true: the domain is {:.4g} mm wide, and a particle of {:.4g} mm "
+                            "would meet the same neighbour on both sides; at least {:.4g}",
+                            key, 1e3 * (upper - lower), 1e3 * largest, 1e3 * least));
+        return dem::Period{lower, upper};
+    };
+    return {period("periodic_x", domain.lower.x, domain.upper.x),
+            period("periodic_y", domain.lower.y, domain.upper.y)};
+}
+
 //! No mesh lies outside the domain, e.g. for a wrong unit.
 void check_meshes(Setup const& setup)
 {
@@ -100,6 +125,10 @@ OptionSpecs experiment_options()
     return joined(
         {{number("series_interval_s", 0.01, "between two looks at conditions and responses [s]", 1e-7),
           vector("domain_lower_mm", none, domain_doc), vector("domain_upper_mm", none, domain_doc),
+          flag("periodic_x", false,
+               "what leaves the domain along x comes back on its other side; needs domain_lower_mm and "
+               "domain_upper_mm"),
+          flag("periodic_y", false, "the same along y"),
           number("initial_overlap", 0.05,
                  "largest overlap of particles as given, and with walls that appear, over the smaller "
                  "radius [-]",
@@ -129,6 +158,7 @@ Setup::Setup(RunInput const& input)
     options.skin = input.experiment.number("skin") * 0.5 * smallest;
     auto const box = domain_of(*this, input.experiment);
     options.domain_lower = box.lower, options.domain_upper = box.upper;
+    options.periodic = periods_of(*this, input.experiment, box);
     span_planes(walls, box);
     check_meshes(*this);
     check_hulls(*this);

@@ -266,6 +266,8 @@ void ProgrammeRun::look()
     ++progress.looks;
     if (is_stage_over(look))
         return end_stage(look);
+    if (stage().at_look)
+        stage().at_look(*bench_);
     progress.steps_to_look = programme_.steps_per_look;
     drift();
 }

@@ -30,14 +30,16 @@ struct Stage
     std::function<bool(Look&)> needed = {};   //!< whether it takes place at all; null: it does
     std::optional<contact::Model> model = {}; //!< coefficients from its beginning on; none: as before
     std::function<void(Bench&)> enter = {};   //!< changes walls and particles at its beginning
-    std::function<bool(Look&)> until = {};    //!< ends it; null: it takes `shortest`
-    std::string waits_for = {};               //!< in words, for messages
-    double shortest = 0;                      //!< not asked whether it ends before [s]
-    double longest = 0;                       //!< with `until`: by when that must hold [s]
-    Overrun overrun = Overrun::fail;          //!< ... and if it does not
-    std::function<bool(Look&)> repeats = {};  //!< whether it begins again when it is over
-    std::int64_t looks_per_sample = 0;        //!< a row of the series every so many looks; 0: none
-    std::string landmark = {};                //!< name of a snapshot that is kept of its end
+    std::function<void(Bench&)> at_look =
+        {};                                //!< what happens on the way, after each look that does not end it
+    std::function<bool(Look&)> until = {}; //!< ends it; null: it takes `shortest`
+    std::string waits_for = {};            //!< in words, for messages
+    double shortest = 0;                   //!< not asked whether it ends before [s]
+    double longest = 0;                    //!< with `until`: by when that must hold [s]
+    Overrun overrun = Overrun::fail;       //!< ... and if it does not
+    std::function<bool(Look&)> repeats = {}; //!< whether it begins again when it is over
+    std::int64_t looks_per_sample = 0;       //!< a row of the series every so many looks; 0: none
+    std::string landmark = {};               //!< name of a snapshot that is kept of its end
 };
 
 //! A column of the series.
