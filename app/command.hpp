@@ -25,6 +25,7 @@ void add_run(CLI::App& program, Action& action);
 void add_status(CLI::App& program, Action& action);
 void add_redo(CLI::App& program, Action& action);
 void add_drop(CLI::App& program, Action& action);
+void add_extend(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
 void add_export(CLI::App& program, Action& action);
 void add_replay(CLI::App& program, Action& action);

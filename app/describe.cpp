@@ -1,6 +1,8 @@
 // What a campaign may say: rigs, laws and keys, all printed from the specs that the reader checks with.
 #include "app/command.hpp"
+#include "app/terminal.hpp"
 #include "demens/base/error.hpp"
+#include "demens/base/text/wrap.hpp"
 #include "demens/contact/model.hpp"
 #include "demens/rig/rig.hpp"
 #include "ensemble/input/input_options.hpp"
@@ -47,10 +49,18 @@ std::string allowed_text(OptionSpec const& spec)
     return range.empty() ? "" : "; " + range;
 }
 
+//! A row of three columns, as wide as the terminal.
+void print_row(std::string const& key, std::string const& value, std::string const& doc)
+{
+    constexpr std::size_t third_column = 52;
+    fmt::print("{}\n", text::wrapped(fmt::format("  {:<28} {:<20} {}", key, value, doc), terminal_width(),
+                                     third_column));
+}
+
 void print_options(std::vector<OptionSpec> const& specs)
 {
     for (auto const& spec : specs)
-        fmt::print("  {:<28} {:<20} {}{}\n", spec.key, default_text(spec), spec.doc, allowed_text(spec));
+        print_row(spec.key, default_text(spec), spec.doc + allowed_text(spec));
 }
 
 void print_section(SectionInfo const& section)
@@ -58,7 +68,7 @@ void print_section(SectionInfo const& section)
     fmt::print("{}: {}\n", section.heading, section.doc);
     print_options(section.options);
     for (auto const& list : section.lists)
-        fmt::print("  {:<28} {:<20} {}\n", list.key, "list of " + list.type, list.doc);
+        print_row(list.key, "list of " + list.type, list.doc);
 }
 
 void print_tables(std::string const& above, std::vector<TableSpec> const& specs)
@@ -84,7 +94,7 @@ void print_rig(rig::RigInfo const& rig)
     fmt::print("\nresponses, for target.RESPONSE{}:\n",
                rig.asked_responses ? "; beside those that the experiment asks for" : "");
     for (auto const& response : rig.responses)
-        fmt::print("  {:<28} {:<20} {}\n", response.name, response.units, response.doc);
+        print_row(response.name, response.units, response.doc);
 }
 
 int print_rigs(std::string const& name)

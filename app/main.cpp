@@ -23,6 +23,7 @@ a campaign:
   demens export FILE.h5                 runs, curves and the best point as CSV and TOML
   demens replay FILE.h5 --run 17 --frames out/
   demens redo FILE.h5 --run 17          have a run run again; drop: take it out of the fits
+  demens extend FILE.h5 --runs 60       go on with an ended campaign; --continue NEW.toml: with another input
 
 exit codes:
   0   done
@@ -62,6 +63,7 @@ int do_what_is_asked(int argc, char** argv)
     cli::add_status(program, action);
     cli::add_redo(program, action);
     cli::add_drop(program, action);
+    cli::add_extend(program, action);
     cli::add_report(program, action);
     cli::add_export(program, action);
     cli::add_replay(program, action);

@@ -4,7 +4,8 @@
 #include "demens/base/error.hpp"
 #include "demens/base/text/shell.hpp"
 #include "ensemble/file/parts.hpp"
-#include "ensemble/reuse/taken_waves.hpp"
+#include "ensemble/reuse/input_changes.hpp"
+#include "ensemble/reuse/result_table.hpp"
 #include "ensemble/run/wave_runner.hpp"
 #include "ensemble/session.hpp"
 #include "ensemble/storage/lock.hpp"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <iterator>
 #include <optional>
 
@@ -59,7 +61,7 @@ ensemble::Taken take_over(fs::path const& toml, CampaignInput const& input)
 
 //! Reads a TOML file, plans its design and asks for the warnings: whatever is wrong is found before a word is
 //! printed.
-Checked read_checked(fs::path const& toml)
+Checked read_checked(fs::path const& toml, std::vector<ensemble::ResultFile> const& results = {})
 {
     Checked checked{CampaignInput::from_file(toml), {}, {}};
     auto const& input = checked.input;
@@ -91,8 +93,12 @@ Checked read_checked(fs::path const& toml)
     if (input.gap)
         for (auto const& line : gap_lines(toml, input))
             fmt::format_to(to, "  {}\n", line);
-    if (!input.run.bank.empty()) {
-        auto [waves, lines] = take_over(toml, input);
+    if (!input.run.bank.empty() && !results.empty())
+        throw InputError(
+            fmt::format("{}: run.bank = \"{}\" does not go with --results", toml.string(), input.run.bank));
+    if (!input.run.bank.empty() || !results.empty()) {
+        auto [waves, lines] =
+            results.empty() ? take_over(toml, input) : ensemble::taken_from_tables(input, results);
         checked.taken = std::move(waves);
         for (auto const& line : lines)
             fmt::format_to(to, "  {}\n", line);
@@ -127,9 +133,10 @@ void replace_campaign(fs::path const& file, Checked const& checked)
     fs::rename(replacement, file);
 }
 
-int make_new(fs::path const& toml, fs::path const& file, IfExists if_exists)
+int make_new(fs::path const& toml, fs::path const& file, IfExists if_exists,
+             std::vector<ensemble::ResultFile> const& results)
 {
-    auto const checked = read_checked(toml);
+    auto const checked = read_checked(toml, results);
     if (if_exists == IfExists::replace && fs::exists(file))
         replace_campaign(file, checked);
     else if (fs::exists(file))
@@ -144,11 +151,22 @@ int make_new(fs::path const& toml, fs::path const& file, IfExists if_exists)
     return success;
 }
 
-bool same_files(rig::Files const& a, rig::Files const& b)
+//! Changes as lines of their own.
+std::string lines_of(std::vector<std::string> const& changes)
 {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](auto const& f, auto const& g) {
-        return f.first == g.first && *f.second == *g.second;
-    });
+    return fmt::format("  {}", fmt::join(changes, "\n  "));
+}
+
+std::vector<ensemble::ResultFile> result_files(std::vector<std::string> const& words)
+{
+    std::vector<ensemble::ResultFile> files;
+    for (auto const& word : words) {
+        auto const equals = fs::exists(word) ? std::string::npos : word.find('=');
+        files.push_back(equals == std::string::npos
+                            ? ensemble::ResultFile{"", word}
+                            : ensemble::ResultFile{word.substr(0, equals), word.substr(equals + 1)});
+    }
+    return files;
 }
 
 } // namespace
@@ -170,12 +188,33 @@ void make_or_accept(fs::path const& toml, fs::path const& campaign_file)
     }
     auto const input = CampaignInput::from_file(toml);
     auto const stored = ensemble::read_campaign_file(campaign_file).input;
-    bool const same_text = stored.text() == input.text() || stored.resolved_text() == input.resolved_text();
-    if (!same_text || !same_files(stored.files(), input.files()))
-        throw InputError(
-            fmt::format("{0}: was made of another input than {1} is now; run {0} to go on with it, or make "
-                        "a new one with: demens new {1} --output OTHER.h5",
-                        text::shell_word(campaign_file.string()), text::shell_word(toml.string())));
+    if (auto const changes = ensemble::input_changes(stored, input); !changes.empty())
+        throw InputError(fmt::format(
+            "{0}: was made of another input than {1} is now:\n{2}\nTo go on with what is "
+            "there: demens {0}; to take over {1} with all runs that still hold: demens extend "
+            "{0} --continue {1}; for a new campaign: demens new {1} --output OTHER.h5",
+            text::shell_word(campaign_file.string()), text::shell_word(toml.string()), lines_of(changes)));
+}
+
+std::string other_input_text(fs::path const& campaign_file, CampaignInput const& stored)
+{
+    auto toml = campaign_file;
+    toml.replace_extension(".toml");
+    std::error_code error;
+    if (!fs::exists(toml, error))
+        return {};
+    auto const name = text::shell_word(toml.string()), file = text::shell_word(campaign_file.string());
+    try {
+        auto const changes = ensemble::input_changes(stored, CampaignInput::from_file(toml));
+        return changes.empty() ? ""
+                               : fmt::format("note: {0} is not what {1} was made of, and {1} goes on as it "
+                                             "was made. What differs, as "
+                                             "the campaign has it and as {0} says now:\n{2}\nTo take it "
+                                             "over: demens extend {1} --continue {0}\n",
+                                             name, file, lines_of(changes));
+    } catch (InputError const&) {
+        return fmt::format("note: {} has faults now; {} goes on with what it was made of\n", name, file);
+    }
 }
 
 void add_new(CLI::App& program, Action& action)
@@ -183,19 +222,23 @@ void add_new(CLI::App& program, Action& action)
     struct Options
     {
         std::string toml, output;
+        std::vector<std::string> results;
         bool force = false;
     };
     auto options = std::make_shared<Options>();
     auto* command = program.add_subcommand("new", "check a TOML file and write its campaign file");
     command->add_option("FILE.toml", options->toml, "the campaign as its author writes it")->required();
     command->add_option("-o,--output", options->output, "campaign file to write; default FILE.h5");
+    command->add_option("--results", options->results,
+                        "FILE.csv or EXPERIMENT=FILE.csv: runs that were made elsewhere, in the columns that "
+                        "`demens export` writes; they are calibrated in the place of a design");
     command->add_flag("--force", options->force, "replace an existing campaign file and lose what it holds");
     command->callback([options, &action] {
         action = [options] {
-            return make_new(options->toml,
-                            options->output.empty() ? default_campaign_file(options->toml)
-                                                    : fs::path(options->output),
-                            options->force ? IfExists::replace : IfExists::refuse);
+            return make_new(
+                options->toml,
+                options->output.empty() ? default_campaign_file(options->toml) : fs::path(options->output),
+                options->force ? IfExists::replace : IfExists::refuse, result_files(options->results));
         };
     });
 }

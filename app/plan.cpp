@@ -95,12 +95,11 @@ std::string time_limit(double longest)
 
 void print_all_runs(Campaign const& campaign, Work const& work, int groups)
 {
-    int const left = campaign.input.stop.runs - campaign.runs_planned();
+    int const left = campaign.runs_left();
     double const mean = work.total / static_cast<double>(work.seconds.size());
-    double const all =
-        ensemble::time_to_run(work.seconds, groups) + std::max(0, left) * mean / groups / busy_enough;
+    double const all = ensemble::time_to_run(work.seconds, groups) + left * mean / groups / busy_enough;
     fmt::print("  all {} runs that [stop] allows: some {}, if runs cost as much as these\n",
-               std::max(campaign.input.stop.runs, campaign.runs_planned()), duration_text(all));
+               campaign.runs_planned() + left, duration_text(all));
 }
 
 int plan(std::string const& file)

@@ -58,6 +58,8 @@ int calibrate(fs::path const& file, bool simulates)
 {
     ensemble::Session session(MPI_COMM_WORLD, file, {.simulates = simulates});
     bool const is_root = ensemble::rank_of(MPI_COMM_WORLD) == 0;
+    if (is_root)
+        fmt::print(stderr, "{}", other_input_text(file, session.campaign().input));
     auto const end = tao_calib::calibrate(session, MPI_COMM_WORLD, print_wave);
     if (is_root && end != tao_calib::CalibrationEnd::drained)
         fmt::print("{}\n", tao_calib::summary(session.campaign()));

@@ -4,6 +4,7 @@
 #include "demens/base/error.hpp"
 #include "demens/base/text/number.hpp"
 #include "demens/observe/vtk_frames.hpp"
+#include "demens/picture_file/scene.hpp"
 #include "demens/rig/programme/memory.hpp"
 #include "demens/rig/programme/plausible.hpp"
 #include "demens/rig/programme/programme.hpp"
@@ -21,13 +22,14 @@ using ensemble::CampaignInput;
 
 struct TryOptions
 {
-    std::string file, experiment, frames;
+    std::string file, experiment, frames, picture;
     std::vector<std::string> settings;
     double frame_interval = 0.02;
     bool plan_only = false;
+    bool is_alone = true; //!< one experiment only
 };
 
-void apply(CampaignInput& input, std::vector<std::string> const& settings)
+void set_values(CampaignInput& input, std::vector<std::string> const& settings)
 {
     for (auto const& setting : settings) {
         auto const equals = setting.find('=');
@@ -107,6 +109,24 @@ void print_plan(ensemble::Experiment const& experiment, rig::RunInput const& inp
             fmt::print("  warning: {}\n", warning);
 }
 
+//! A picture of how it ended, or of what was seen last before it failed. With several experiments each has
+//! one of its own, by its name.
+void write_picture(ensemble::Experiment const& experiment, rig::RunResult const& result,
+                   TryOptions const& options)
+{
+    if (result.snapshots.empty()) {
+        fmt::print("  no picture: this rig keeps none of its particles\n");
+        return;
+    }
+    std::filesystem::path file = options.picture;
+    if (!options.is_alone)
+        file.replace_filename(
+            fmt::format("{}.{}{}", file.stem().string(), experiment.name, file.extension().string()));
+    picture_file::write_png(file, picture_file::picture_of(result.snapshots.back()));
+    fmt::print("  wrote {}: {}, {:.4g} s\n", file.string(), result.snapshots.back().name,
+               result.snapshots.back().time);
+}
+
 //! \return whether it finished
 bool simulate(ensemble::Experiment const& experiment, rig::RunInput const& input, TryOptions const& options)
 {
@@ -127,6 +147,8 @@ bool simulate(ensemble::Experiment const& experiment, rig::RunInput const& input
         fmt::print("  wrote {} frames; open {}/particles.pvd in ParaView (Representation: Point Gaussian, "
                    "scaled by radius)\n",
                    frames->size(), options.frames);
+    if (!options.picture.empty())
+        write_picture(experiment, result, options);
     for (std::size_t r = 0; r < experiment.responses.size() && r < result.responses.size(); ++r) {
         auto const target =
             std::find_if(experiment.targets.begin(), experiment.targets.end(),
@@ -143,10 +165,13 @@ bool simulate(ensemble::Experiment const& experiment, rig::RunInput const& input
     return result.status == rig::RunStatus::finished;
 }
 
-int try_out(TryOptions const& options)
+int try_out(TryOptions options)
 {
+    if (!options.picture.empty() && std::filesystem::path(options.picture).extension() != ".png")
+        throw InputError(fmt::format("--picture {}: must be a .png", options.picture));
     auto input = CampaignInput::from_file(options.file);
-    apply(input, options.settings);
+    options.is_alone = input.experiments.size() == 1 || !options.experiment.empty();
+    set_values(input, options.settings);
     bool all_finished = true, found = false;
     for (std::size_t e = 0; e < input.experiments.size(); ++e) {
         auto const& experiment = input.experiments[e];
@@ -179,6 +204,8 @@ void add_try(CLI::App& program, Action& action)
     command->add_option("--experiment", options->experiment, "this one alone");
     command->add_flag("--plan", options->plan_only, "says what would be simulated, and simulates nothing");
     command->add_option("--frames", options->frames, "folder for VTK frames; none: no frames");
+    command->add_option("--picture", options->picture,
+                        "PNG file to write: particles and walls from the front, at the end");
     command
         ->add_option("--frame-interval", options->frame_interval,
                      "simulated time between frames [s]; default 0.02")

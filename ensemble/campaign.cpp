@@ -55,6 +55,15 @@ int Campaign::points_planned() const
     return next_point;
 }
 
+int Campaign::runs_left() const
+{
+    int runs = 0;
+    for (auto const& wave : waves)
+        if (wave.number >= first_counted_wave() && wave.taken_from.empty())
+            runs += static_cast<int>(wave.runs.size());
+    return std::max(0, input.stop.runs - runs);
+}
+
 std::vector<RunRecord> Campaign::all_runs() const
 {
     std::vector<RunRecord> runs;

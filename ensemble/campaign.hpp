@@ -108,17 +108,31 @@ struct WavePlan
     int replicates = 0;                               //!< of each experiment; 0: as the campaign says
 };
 
+//! A change of a campaign that had begun; see `ensemble/reuse/extension.hpp`.
+struct Extension
+{
+    int first_wave = 0;                    //!< the first one that was planned with it
+    int runs = 0;                          //!< to be made from then on, whatever its goals; 0: as [stop] says
+    std::vector<std::string> changes = {}; //!< one line each
+    std::string toml_before = {};          //!< the author's file until then
+};
+
 //! All of a campaign that later decisions rest on.
 struct Campaign
 {
     CampaignInput input;
     std::vector<Wave> waves;
     std::string ended; //!< why the campaign ended; empty while it goes on
+    std::vector<Extension> extensions = {};
 
     //! The first wave of which runs are to be run, or null.
     Wave const* open_wave() const;
     int runs_planned() const;
     int points_planned() const;
+    //! From which on waves are counted against [stop]: the first one, or that after the last extension.
+    int first_counted_wave() const { return extensions.empty() ? 0 : extensions.back().first_wave; }
+    //! How many runs [stop] still allows. Runs taken over from another campaign were paid there.
+    int runs_left() const;
     //! All records of all waves in the order of their numbers.
     std::vector<RunRecord> all_runs() const;
 };

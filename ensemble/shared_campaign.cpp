@@ -30,6 +30,17 @@ rig::Files share_files(MPI_Comm communicator, rig::Files const& mine)
     return files;
 }
 
+//! What the last extension says of the waves that follow; the other ranks need no more of them. Collective.
+void share_last(MPI_Comm communicator, std::vector<Extension>& extensions)
+{
+    std::vector<int> last(3);
+    if (!extensions.empty())
+        last = {1, extensions.back().first_wave, extensions.back().runs};
+    broadcast(communicator, last);
+    if (rank_of(communicator) != 0 && last[0] == 1)
+        extensions = {{last[1], last[2]}};
+}
+
 } // namespace
 
 Campaign read_for_all(MPI_Comm communicator, std::filesystem::path const& file, Rigs const& rigs)
@@ -46,6 +57,8 @@ Campaign read_for_all(MPI_Comm communicator, std::filesystem::path const& file, 
     broadcast(communicator, toml);
     broadcast(communicator, ended);
     broadcast(communicator, waves);
+    auto extensions = campaign ? campaign->extensions : std::vector<Extension>{};
+    share_last(communicator, extensions);
     auto const files = share_files(communicator, campaign ? campaign->input.files() : rig::Files{});
     on_all(communicator, [&] {
         if (!campaign)
@@ -53,8 +66,11 @@ Campaign read_for_all(MPI_Comm communicator, std::filesystem::path const& file, 
                 Campaign{CampaignInput::from_text(toml, file.string(), rigs, input::stored_files(files),
                                                   input::OldWords::understood),
                          {},
-                         ended};
+                         ended,
+                         extensions};
     });
+    if (!extensions.empty() && extensions.back().runs > 0)
+        campaign->input.stop.runs = extensions.back().runs;
     for (int number = 0; number < waves.front(); ++number)
         share_wave(communicator, *campaign, number);
     return std::move(*campaign);

@@ -178,6 +178,11 @@ inline constexpr ArrayName leave_one_out_r2 = {
     "1",
     "by target: 1 - mean square leave-one-out error/variance of the response",
     {Extent::targets}};
+inline constexpr ArrayName left_out = {
+    "surrogate/left_out",
+    "mixed",
+    "location x (target number, simulated there, predicted from the other locations), in the target's unit",
+    {Extent::any, Extent::any}};
 inline constexpr ArrayName smoothing = {
     "surrogate/smoothing",
     "1",
@@ -339,6 +344,7 @@ inline constexpr std::array all_arrays = {&optimum::best_point,
                                           &surrogate::kind,
                                           &surrogate::leave_one_out_rmse,
                                           &surrogate::leave_one_out_r2,
+                                          &surrogate::left_out,
                                           &surrogate::smoothing,
                                           &surrogate::replicate_sd,
                                           &surrogate::slice_values,

@@ -168,6 +168,7 @@ json surrogate_of(Analysis const& analysis)
         {"kind", analysis.values(stored::surrogate::kind)},
         {"leave_one_out_rmse", analysis.values(stored::surrogate::leave_one_out_rmse)},
         {"leave_one_out_r2", analysis.values(stored::surrogate::leave_one_out_r2)},
+        {"left_out", analysis.values(stored::surrogate::left_out)},
         {"replicate_sd", analysis.values(stored::surrogate::replicate_sd)},
         {"slice_values", analysis.values(stored::surrogate::slice_values)},
         {"slices", analysis.values(stored::surrogate::slices)},

@@ -8,6 +8,8 @@
 #include "report/picture.hpp"
 #include "report/shown_run.hpp"
 
+#include <set>
+
 namespace demens::report {
 
 using nlohmann::json;
@@ -153,6 +155,40 @@ json details_of_shown_runs(ensemble::Campaign const& campaign, Analysis const& a
     return list;
 }
 
+//! How runs ended that failed: one of each experiment and status, a few at most.
+json failed_pictures(ensemble::Campaign const& campaign, DetailsOf const& details_of)
+{
+    constexpr std::size_t most = 6;
+    json list = json::array();
+    std::set<std::pair<int, rig::RunStatus>> seen;
+    for (auto const& wave : campaign.waves)
+        for (auto const& run : wave.runs) {
+            if (!rig::has_failed(run.status) || !is_complete(wave) || list.size() == most ||
+                !seen.insert({run.experiment, run.status}).second)
+                continue;
+            try {
+                auto const snapshots = details_of(run.run).snapshots;
+                if (!snapshots.empty())
+                    list.push_back({{"experiment", run.experiment},
+                                    {"run", run.run},
+                                    {"status", rig::name_of(run.status)},
+                                    {"reason", run.reason},
+                                    {"picture", pictures_of({snapshots.back()}, Turning::no).front()}});
+            } catch (InputError const&) { // no picture of it
+            }
+        }
+    return list;
+}
+
+//! How its input was changed since it began.
+json extensions_of(ensemble::Campaign const& campaign)
+{
+    json list = json::array();
+    for (auto const& extension : campaign.extensions)
+        list.push_back({{"first_wave", extension.first_wave}, {"changes", extension.changes}});
+    return list;
+}
+
 //! The diagnosis, or why there is none; null where none was asked for.
 json gap_of(ensemble::Campaign const& campaign)
 {
@@ -177,6 +213,7 @@ json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of
     return {{"name", input.name},
             {"seed", input.seed},
             {"ended", campaign.ended},
+            {"extensions", extensions_of(campaign)},
             {"objective", word_for(input.objective.kind)},
             {"stop", {{"wmse", input.stop.wmse}, {"runs", input.stop.runs}, {"waves", input.stop.waves}}},
             {"factors", factors_of(input)},
@@ -196,6 +233,7 @@ json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of
             {"screening", screening_of(analysis)},
             {"gap", gap_of(campaign)},
             {"details", details_of_shown_runs(campaign, analysis, details_of)},
+            {"failed_pictures", failed_pictures(campaign, details_of)},
             {"input", {{"text", input.text()}, {"resolved", input.resolved_text()}}}};
 }
 

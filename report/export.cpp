@@ -48,8 +48,9 @@ std::string runs_of(ensemble::Campaign const& campaign, int experiment)
                             cell(run.reason), run.wall_time, run.simulated_time, run.particles);
             for (double const value : run.factors)
                 add_cell(csv, cell(value));
-            for (double const value : run.responses)
-                add_cell(csv, cell(value));
+            auto const responses = input.experiments[static_cast<std::size_t>(experiment)].responses.size();
+            for (std::size_t r = 0; r < responses; ++r) // none yet: cells to be filled in
+                add_cell(csv, r < run.responses.size() ? cell(run.responses[r]) : "");
             csv += "\n";
         }
     return csv;

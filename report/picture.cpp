@@ -103,7 +103,8 @@ std::vector<long> layers_of(rig::Snapshot const& first, rig::Snapshot const& sna
     return layers;
 }
 
-json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame const& frame)
+//! \param turns whether it can be looked at from other sides
+json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame const& frame, Turning turns)
 {
     Range const horizontal = frame.shown(frame.across()), vertical = frame.shown(2);
     auto const& into = frame.along[frame.into()];
@@ -116,13 +117,16 @@ json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame
     std::size_t const hidden = order.size() > largest_picture ? order.size() - largest_picture : 0;
     order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(hidden));
 
-    json h = json::array(), v = json::array(), r = json::array(), d = json::array(), layer = json::array();
+    json h = json::array(), v = json::array(), r = json::array(), d = json::array(), layer = json::array(),
+         inwards = json::array();
     auto const layers = layers_of(first, snapshot);
     for (auto i : order) {
         h.push_back(quanta(across[i] - horizontal.lower));
         v.push_back(quanta(snapshot.z[i] - vertical.lower));
         r.push_back(quanta(snapshot.radius[i]));
         d.push_back(into.width() > 0 ? std::lround(100 * (depth[i] - into.lower) / into.width()) : 0);
+        if (turns == Turning::yes)
+            inwards.push_back(quanta(depth[i] - into.lower));
         if (!layers.empty())
             layer.push_back(layers[i]);
     }
@@ -146,19 +150,20 @@ json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame
             {"size", {quanta(horizontal.width()), quanta(vertical.width())}},
             {"quantum", quantum},
             {"hidden", hidden},
-            {"particles", {{"h", h}, {"v", v}, {"r", r}, {"depth", d}, {"layer", layer}}},
+            {"particles", {{"h", h}, {"v", v}, {"r", r}, {"depth", d}, {"layer", layer}, {"into", inwards}}},
             {"walls", walls},
             {"lines", lines}};
 }
 
 } // namespace
 
-json pictures_of(std::vector<rig::Snapshot> const& snapshots)
+json pictures_of(std::vector<rig::Snapshot> const& snapshots, Turning turning)
 {
     Frame const frame(snapshots);
     json pictures = json::array();
     for (auto const& snapshot : snapshots)
-        pictures.push_back(picture_of(snapshot, snapshots.front(), frame));
+        pictures.push_back(picture_of(snapshot, snapshots.front(), frame,
+                                      &snapshot == &snapshots.back() ? turning : Turning::no));
     return pictures;
 }
 

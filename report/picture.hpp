@@ -7,10 +7,18 @@
 
 namespace demens::report {
 
+//! Whether a picture can be looked at from other sides, for which the page needs one more number a particle.
+enum class Turning
+{
+    no,
+    yes
+};
+
 //! Views of the particles from the front, all with one frame: the vertical is z, the horizontal the wider of
 //! x and y. Lengths are whole multiples of `quantum` [m] from `origin`; particles are ordered from the back
 //! to the front.
-nlohmann::json pictures_of(std::vector<rig::Snapshot> const& snapshots);
+//! \param turning of the last one
+nlohmann::json pictures_of(std::vector<rig::Snapshot> const& snapshots, Turning turning = Turning::yes);
 //! Columns over the first one, thinned to what a plot can show.
 nlohmann::json columns_of(rig::Series const& series);
 

@@ -127,6 +127,31 @@ void write_experiments(hid_t file, std::vector<Experiment> const& experiments)
                in_units("deviation that is good enough; NaN: not given"));
 }
 
+void write_input(hid_t file, CampaignInput const& input)
+{
+    hdf5::set_attribute(file, "/", "name", input.name);
+    hdf5::write_text(file, "/input/toml", input.text());
+    hdf5::write_text(file, "/input/resolved_toml", input.resolved_text());
+    write_files(file, input.files());
+    write_factors(file, input.factors);
+    write_experiments(file, input.experiments);
+}
+
+std::vector<Extension> read_extensions(hid_t file)
+{
+    std::vector<Extension> extensions;
+    if (!hdf5::exists(file, "/extensions"))
+        return extensions;
+    for (auto const& child : hdf5::children(file, "/extensions")) {
+        auto const path = "/extensions/" + child;
+        extensions.push_back({static_cast<int>(hdf5::integer_attribute(file, path, "first_wave")),
+                              static_cast<int>(hdf5::integer_attribute(file, path, "runs")),
+                              hdf5::read_texts(file, path + "/changes"),
+                              read_text(file, path + "/toml_before")});
+    }
+    return extensions;
+}
+
 //! An HDF5 file of this program begins with the signature. \throws FileError when it cannot be read
 bool begins_like_hdf5(fs::path const& path)
 {
@@ -206,17 +231,31 @@ void write_header(hid_t file, CampaignInput const& input)
     hdf5::set_attribute(file, "/", "format_version", static_cast<std::int64_t>(format_version));
     hdf5::set_attribute(file, "/", "program_version", program_version);
     hdf5::set_attribute(file, "/", "git_commit", git_commit);
-    hdf5::set_attribute(file, "/", "name", input.name);
     hdf5::set_attribute(file, "/", "ended", "");
-    hdf5::write_text(file, "/input/toml", input.text());
-    hdf5::write_text(file, "/input/resolved_toml", input.resolved_text());
-    write_files(file, input.files());
-    write_factors(file, input.factors);
-    write_experiments(file, input.experiments);
+    write_input(file, input);
     hdf5::make_group(file, "/waves");
     hdf5::make_group(file, "/series");
     hdf5::make_group(file, "/profiles");
     hdf5::make_group(file, "/snapshots");
+}
+
+void replace_input(hid_t file, CampaignInput const& input)
+{
+    for (char const* group : {"/input", "/factors", "/experiments", "/targets"})
+        hdf5::check(H5Ldelete(file, group, H5P_DEFAULT), std::string("replace ") + group);
+    write_input(file, input);
+}
+
+void write_extension(hid_t file, Extension const& extension)
+{
+    auto const path =
+        fmt::format("/extensions/{:04}",
+                    hdf5::exists(file, "/extensions") ? hdf5::children(file, "/extensions").size() : 0);
+    write_list(file, path + "/changes", extension.changes, plain("what was changed"));
+    hdf5::write_text(file, path + "/toml_before", extension.toml_before);
+    hdf5::set_attribute(file, path, "first_wave", static_cast<std::int64_t>(extension.first_wave));
+    hdf5::set_attribute(file, path, "runs", static_cast<std::int64_t>(extension.runs));
+    hdf5::set_attribute(file, path, "program_version", program_version);
 }
 
 hdf5::File open_campaign(fs::path const& path)
@@ -249,7 +288,10 @@ Campaign read_campaign(fs::path const& path, Rigs const& rigs)
             CampaignInput::from_text(read_text(file, "/input/toml"), path.string() + ":/input/toml", rigs,
                                      input::stored_files(read_files(file)), input::OldWords::understood),
             {},
-            hdf5::text_attribute(file, "/", "ended")};
+            hdf5::text_attribute(file, "/", "ended"),
+            read_extensions(file)};
+        if (!campaign.extensions.empty() && campaign.extensions.back().runs > 0)
+            campaign.input.stop.runs = campaign.extensions.back().runs;
         auto const waves = hdf5::children(file, "/waves");
         for (int number = 0; number < static_cast<int>(waves.size()); ++number) {
             if (!hdf5::exists(file, wave_path(number)))
@@ -258,18 +300,25 @@ Campaign read_campaign(fs::path const& path, Rigs const& rigs)
             campaign.waves.push_back(read_wave(file, number, campaign.input));
         }
         require_numbers(campaign);
+        if (campaign.first_counted_wave() < 0 ||
+            campaign.first_counted_wave() > static_cast<int>(waves.size()))
+            throw FileError(fmt::format("/extensions: there is no wave {}", campaign.first_counted_wave()));
         return campaign;
     } catch (FileError const& error) {
         throw InputError(fmt::format("{}: damaged: {}", path.string(), error.what()));
     }
 }
 
-FileUpdate::FileUpdate(fs::path file, std::uintmax_t more_bytes)
+FileUpdate::FileUpdate(fs::path const& file, std::uintmax_t more_bytes) : FileUpdate(file, file, more_bytes)
+{
+}
+
+FileUpdate::FileUpdate(fs::path file, fs::path const& from, std::uintmax_t more_bytes)
     : file_(std::move(file)), copy_(beside(file_, ".new"))
 {
     try {
-        copy_to_new(file_, copy_);
-        reserve_space(copy_, fs::file_size(file_) + more_bytes);
+        copy_to_new(from, copy_);
+        reserve_space(copy_, fs::file_size(from) + more_bytes);
     } catch (...) {
         std::error_code ignored;
         fs::remove(copy_, ignored);

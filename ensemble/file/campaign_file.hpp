@@ -15,6 +15,10 @@ int constexpr format_version = 2;
 
 //! Format, program version, input, factors, experiments, targets.
 void write_header(hid_t file, CampaignInput const& input);
+//! Another input in the place of the one that is there, with its factors, experiments and targets.
+void replace_input(hid_t file, CampaignInput const& input);
+//! Adds an extension to those that are there.
+void write_extension(hid_t file, Extension const& extension);
 //! Opens a campaign file for reading, after a look at everything in it. \throws InputError when it is none,
 //! damaged, of a newer format, or not readable
 hdf5::File open_campaign(std::filesystem::path const& file);
@@ -27,7 +31,9 @@ class FileUpdate
 {
   public:
     //! Copies the file to FILE.new, with disk space for `more_bytes`. \throws FileError
-    FileUpdate(std::filesystem::path file, std::uintmax_t more_bytes);
+    FileUpdate(std::filesystem::path const& file, std::uintmax_t more_bytes);
+    //! The same of a file that need not be there yet: the change begins with a copy of another one.
+    FileUpdate(std::filesystem::path file, std::filesystem::path const& from, std::uintmax_t more_bytes);
     ~FileUpdate();
     FileUpdate(FileUpdate const&) = delete;
     FileUpdate& operator=(FileUpdate const&) = delete;

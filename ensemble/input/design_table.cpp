@@ -1,7 +1,5 @@
 #include "ensemble/input/design_table.hpp"
 
-#include "demens/base/text/csv.hpp"
-
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,32 +8,6 @@ namespace demens::ensemble::input {
 namespace {
 
 using Point = std::vector<double>;
-
-//! What is wrong with a point; empty: nothing.
-std::string wrong_with(Point const& point, CampaignInput const& input)
-{
-    if (point.size() != input.factors.size())
-        return fmt::format(" has {} values; there are {} factors", point.size(), input.factors.size());
-    for (std::size_t f = 0; f < point.size(); ++f) {
-        auto const& factor = input.factors[f];
-        if (!(point[f] >= factor.lower && point[f] <= factor.upper))
-            return fmt::format(": {} = {} is outside its bounds {} and {}", factor.name, point[f],
-                               factor.lower, factor.upper);
-    }
-    auto const broken = broken_constraint(input, point);
-    return broken.empty() ? "" : fmt::format(" breaks the constraint \"{}\"", broken);
-}
-
-//! The column of each factor, by its name or its path.
-std::vector<int> columns_of(text::CsvTable const& table, std::vector<Factor> const& factors)
-{
-    std::vector<int> columns;
-    for (auto const& factor : factors) {
-        auto const column = table.find(factor.path);
-        columns.push_back(column ? *column : table.column(factor.name));
-    }
-    return columns;
-}
 
 std::vector<std::string> unused(text::CsvTable const& table, std::vector<int> const& used)
 {
@@ -49,7 +21,7 @@ std::vector<std::string> unused(text::CsvTable const& table, std::vector<int> co
 std::vector<std::string> read_csv(std::string const& content, std::string const& name, CampaignInput& input)
 {
     auto const table = text::CsvTable::from_text(content, name);
-    auto const columns = columns_of(table, input.factors);
+    auto const columns = factor_columns(table, input.factors);
     if (table.rows() == 0)
         throw InputError(name + ": holds no rows; give one row of factor values for each design point");
     for (int row = 0; row < table.rows(); ++row) {
@@ -60,7 +32,7 @@ std::vector<std::string> read_csv(std::string const& content, std::string const&
                                              table.where(row), input.factors[f].name));
             point.push_back(table.number(row, columns[f]));
         }
-        if (auto const wrong = wrong_with(point, input); !wrong.empty())
+        if (auto const wrong = wrong_with_point(point, input); !wrong.empty())
             throw InputError(
                 fmt::format("{}: row {} ({}){}", table.where(row), row + 1, fmt::join(point, ", "), wrong));
         input.design.table.push_back(std::move(point));
@@ -73,6 +45,30 @@ std::vector<std::string> read_csv(std::string const& content, std::string const&
 }
 
 } // namespace
+
+std::string wrong_with_point(Point const& point, CampaignInput const& input)
+{
+    if (point.size() != input.factors.size())
+        return fmt::format(" has {} values; there are {} factors", point.size(), input.factors.size());
+    for (std::size_t f = 0; f < point.size(); ++f) {
+        auto const& factor = input.factors[f];
+        if (!(point[f] >= factor.lower && point[f] <= factor.upper))
+            return fmt::format(": {} = {} is outside its bounds {} and {}", factor.name, point[f],
+                               factor.lower, factor.upper);
+    }
+    auto const broken = broken_constraint(input, point);
+    return broken.empty() ? "" : fmt::format(" breaks the constraint \"{}\"", broken);
+}
+
+std::vector<int> factor_columns(text::CsvTable const& table, std::vector<Factor> const& factors)
+{
+    std::vector<int> columns;
+    for (auto const& factor : factors) {
+        auto const column = table.find(factor.path);
+        columns.push_back(column ? *column : table.column(factor.name));
+    }
+    return columns;
+}
 
 std::string broken_constraint(CampaignInput const& input, Point const& point)
 {
@@ -93,7 +89,7 @@ std::vector<std::string> read_design_table(InputTable const& design, FileSource 
     input.design.table = design.rows_of_numbers("table");
     for (std::size_t row = 0; row < input.design.table.size(); ++row) {
         auto const& point = input.design.table[row];
-        if (auto const wrong = wrong_with(point, input); !wrong.empty())
+        if (auto const wrong = wrong_with_point(point, input); !wrong.empty())
             throw design.error("table", fmt::format("row {} ({}){}", row + 1, fmt::join(point, ", "), wrong));
     }
     if (name.empty())

@@ -1,5 +1,8 @@
 #include "ensemble/reuse/rows_that_hold.hpp"
 
+#include "ensemble/reuse/comparisons.hpp"
+#include "ensemble/run/execute.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -51,7 +54,8 @@ struct ValueThere
 struct Counterpart
 {
     int experiment;             //!< there
-    std::vector<int> responses; //!< place there of each response here
+    std::vector<int> responses; //!< place there of each response here; without those that are made anew
+    bool compares_anew = false; //!< what is measured of curves and pictures is another here
     std::map<int, std::vector<ValueThere>>
         takes; //!< by factor here: values there that it must have, all the same
     //! Factors there that vary what is fixed here: path, factor, the value here.
@@ -67,7 +71,8 @@ struct Counterpart
 class Comparison
 {
   public:
-    Comparison(CampaignInput const& here, Campaign const& there) : here_(here), there_(there)
+    Comparison(CampaignInput const& here, Campaign const& there, DetailsThere const& details_of)
+        : here_(here), there_(there), details_of_(details_of)
     {
         for (int e = 0; e < static_cast<int>(here.experiments.size()); ++e)
             if (auto counterpart = find_counterpart(e))
@@ -103,27 +108,29 @@ class Comparison
             differences_.push_back(fmt::format("experiment.{}: is here only", experiment.name));
             return std::nullopt;
         }
-        Counterpart counterpart{static_cast<int>(other - others.begin()), {}, {}, {}};
+        Counterpart counterpart{static_cast<int>(other - others.begin()), {}, false, {}, {}};
         bool const holds = find_responses(experiment, *other, counterpart);
         return compare(e, counterpart) && holds ? std::optional(counterpart) : std::nullopt;
     }
 
-    //! Of the rig alone: what is made from measured curves and pictures changes with these.
     bool find_responses(Experiment const& experiment, Experiment const& other, Counterpart& counterpart)
     {
-        if (!experiment.curves.empty() || experiment.picture) {
-            differences_.push_back(
-                fmt::format("experiment.{}: is compared with measured curves or pictures, whose responses do "
-                            "not hold elsewhere",
-                            experiment.name));
+        counterpart.compares_anew =
+            !are_same_comparisons(experiment, other, here_.files(), there_.input.files());
+        if (counterpart.compares_anew && !details_of_) {
+            differences_.push_back(fmt::format(
+                "experiment.{}: is compared with other measured curves or pictures", experiment.name));
             return false;
         }
-        for (auto const& response : experiment.responses) {
+        auto const of_rig = static_cast<std::ptrdiff_t>(responses_of_rig(experiment));
+        auto const end =
+            counterpart.compares_anew ? experiment.responses.begin() + of_rig : experiment.responses.end();
+        for (auto response = experiment.responses.begin(); response != end; ++response) {
             auto const found = std::find_if(other.responses.begin(), other.responses.end(),
-                                            [&](auto const& one) { return one.name == response.name; });
+                                            [&](auto const& one) { return one.name == response->name; });
             if (found == other.responses.end()) {
                 differences_.push_back(fmt::format("experiment.{}: the response {} is here only",
-                                                   experiment.name, response.name));
+                                                   experiment.name, response->name));
                 return false;
             }
             counterpart.responses.push_back(static_cast<int>(found - other.responses.begin()));
@@ -247,11 +254,37 @@ class Comparison
         taken.responses.clear();
         for (int const place : counterpart.responses)
             taken.responses.push_back(run.responses[static_cast<std::size_t>(place)]);
+        return counterpart.compares_anew ? compared_anew(std::move(taken), run) : taken;
+    }
+
+    //! With what is measured here in the place of what was measured there.
+    std::optional<RunRecord> compared_anew(RunRecord taken, RunRecord const& run)
+    {
+        auto const all = here_.experiments[static_cast<std::size_t>(taken.experiment)].responses.size();
+        if (taken.status != rig::RunStatus::finished) {
+            taken.responses.resize(all, std::nan(""));
+            return taken;
+        }
+        auto details = details_of_(run);
+        if (details.series.rows() == 0 && details.profiles.empty()) {
+            leave_out("measured curves or pictures are others, and the curves of the run are not there");
+            return std::nullopt;
+        }
+        rig::RunResult result;
+        result.status = taken.status;
+        result.responses = taken.responses;
+        result.series = std::move(details.series);
+        result.profiles = std::move(details.profiles);
+        auto const made = finished_run(here_, taken, std::move(result), taken.wall_time).record;
+        taken.status = made.status;
+        taken.reason = made.reason;
+        taken.responses = made.responses;
         return taken;
     }
 
     CampaignInput const& here_;
     Campaign const& there_;
+    DetailsThere const& details_of_;
     std::map<int, Counterpart> counterparts_; //!< by experiment here
     std::vector<std::string> differences_;
     std::map<std::string, int> left_out_; //!< runs by reason
@@ -265,9 +298,9 @@ int RowsThatHold::of(int experiment) const
                                           [&](auto const& run) { return run.experiment == experiment; }));
 }
 
-RowsThatHold rows_that_hold(CampaignInput const& here, Campaign const& there)
+RowsThatHold rows_that_hold(CampaignInput const& here, Campaign const& there, DetailsThere const& details_of)
 {
-    return Comparison(here, there).rows();
+    return Comparison(here, there, details_of).rows();
 }
 
 } // namespace demens::ensemble

@@ -2,6 +2,7 @@
 
 #include "ensemble/campaign.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,16 @@ struct RowsThatHold
     int of(int experiment) const;
 };
 
+//! Gives the curves of a run of the other campaign.
+using DetailsThere = std::function<RunDetails(RunRecord const&)>;
+
 //! A run holds if everything that it was made from, beside its seed, is what this campaign has at some values
 //! of its factors, within their bounds and constraints: the experiment of that name, its rig, materials,
 //! contacts and sizes. What is measured, replicates, searches and engines do not matter; factors may differ.
-//! Responses that are made from measured curves and pictures do not hold. Runs that have not ended are left
-//! out, failed ones hold.
-RowsThatHold rows_that_hold(CampaignInput const& here, Campaign const& there);
+//! Responses that come of measured curves and pictures hold where these are the same; else they are made anew
+//! of the curves that the run has kept. Runs that have not ended are left out, failed ones hold.
+//! \param details_of none: nothing can be made anew
+RowsThatHold rows_that_hold(CampaignInput const& here, Campaign const& there,
+                            DetailsThere const& details_of = {});
 
 } // namespace demens::ensemble

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
 #include <iterator>
 #include <map>
 
@@ -77,6 +76,16 @@ class WaveMaker
         }
     }
 
+    //! Numbers of the runs in the order of the wave, as they came.
+    std::vector<int> runs_there() const
+    {
+        std::vector<int> numbers;
+        for (auto const& point : points_)
+            for (auto const& run : point)
+                numbers.push_back(run.run);
+        return numbers;
+    }
+
     Wave wave(int number, int first_run, int first_point) const
     {
         Wave wave;
@@ -103,13 +112,6 @@ class WaveMaker
     std::vector<std::vector<RunRecord>> points_;
 };
 
-std::string check_sum_of(std::filesystem::path const& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    std::vector<char> const bytes{std::istreambuf_iterator<char>(in), {}};
-    return fmt::format("CRC-32 {:08x}", crc32_of(std::as_bytes(std::span(bytes))));
-}
-
 } // namespace
 
 std::vector<Wave> taken_waves(CampaignInput const& here, std::vector<RunRecord> const& runs,
@@ -132,6 +134,31 @@ std::vector<Wave> taken_waves(CampaignInput const& here, std::vector<RunRecord> 
     return waves;
 }
 
+std::vector<KeptWave> kept_waves(CampaignInput const& here, std::vector<RunRecord> const& runs,
+                                 Campaign const& there, std::string const& source)
+{
+    std::vector<KeptWave> kept;
+    int next_run = 0, next_point = 0;
+    for (auto const& other : there.waves) {
+        std::vector<RunRecord> chosen;
+        std::copy_if(runs.begin(), runs.end(), std::back_inserter(chosen),
+                     [&](auto const& run) { return run.wave == other.number; });
+        if (chosen.empty())
+            continue;
+        WaveMaker maker(here, other.purpose, source);
+        maker.add(chosen);
+        kept.push_back({maker.wave(static_cast<int>(kept.size()), next_run, next_point), maker.runs_there()});
+        next_run = kept.back().wave.runs.back().run + 1;
+        next_point = kept.back().wave.runs.back().point + 1;
+    }
+    return kept;
+}
+
+std::string source_text(std::filesystem::path const& file, std::filesystem::path const& called)
+{
+    return fmt::format("{}, CRC-32 {:08x}", called.filename().string(), crc32_of(read_bytes(file)));
+}
+
 Taken taken_from_bank(CampaignInput const& here, std::filesystem::path const& bank, Rigs const& rigs)
 {
     auto const there = read_campaign_file(bank, rigs);
@@ -144,7 +171,7 @@ Taken taken_from_bank(CampaignInput const& here, std::filesystem::path const& ba
                             bank.string(), there.runs_planned(), experiment.name,
                             rows.differences.empty() ? "; it has none that has ended" : ":\n  ",
                             fmt::join(rows.differences, "\n  ")));
-    auto const source = fmt::format("{}, {}", bank.filename().string(), check_sum_of(bank));
+    auto const source = source_text(bank, bank);
     Taken taken{taken_waves(here, rows.runs, source), {}};
     taken.lines.push_back(fmt::format("{} of the {} runs of {} are taken over", rows.runs.size(),
                                       there.runs_planned(), source));

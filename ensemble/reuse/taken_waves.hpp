@@ -13,6 +13,20 @@ namespace demens::ensemble {
 std::vector<Wave> taken_waves(CampaignInput const& here, std::vector<RunRecord> const& runs,
                               std::string const& source);
 
+//! A wave of another campaign with those of its runs that hold.
+struct KeptWave
+{
+    Wave wave;
+    std::vector<int> runs_there; //!< number there of each run
+};
+
+//! The same wave by wave, each with its purpose; those of which nothing holds are left out.
+std::vector<KeptWave> kept_waves(CampaignInput const& here, std::vector<RunRecord> const& runs,
+                                 Campaign const& there, std::string const& source);
+
+//! A campaign file as the source of runs: what it is or will be called, and its check sum. \throws FileError
+std::string source_text(std::filesystem::path const& file, std::filesystem::path const& called);
+
 //! What a campaign takes over from its `[run] bank`.
 struct Taken
 {

@@ -287,6 +287,7 @@ CampaignStatus read_status(fs::path const& file, Rigs const& rigs)
     status.file = file.string();
     status.owner = lock_owner(file);
     status.ended = campaign.ended;
+    status.extensions = campaign.extensions;
     status.state = state_of(campaign, status.owner);
     Reader reader(file, campaign, status);
     for (auto const& wave : campaign.waves) {

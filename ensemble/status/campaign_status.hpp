@@ -106,8 +106,9 @@ struct CampaignStatus
 {
     std::string name, file;
     CampaignState state = CampaignState::waiting;
-    std::string owner; //!< who works on it, e.g. "process 123 on host4"
-    std::string ended; //!< why its calibration ended
+    std::string owner;                 //!< who works on it, e.g. "process 123 on host4"
+    std::string ended;                 //!< why its calibration ended
+    std::vector<Extension> extensions; //!< changes of its input since it began
     std::vector<WaveStatus> waves;
     RunCounts all;
     std::vector<FailureStatus> failures;    //!< most frequent first

@@ -111,6 +111,16 @@ json best_of(std::optional<BestFit> const& best)
         {"responses", responses}};
 }
 
+json extensions_of(std::vector<Extension> const& extensions)
+{
+    json list = json::array();
+    for (auto const& extension : extensions)
+        list.push_back({{"first_wave", extension.first_wave},
+                        {"runs", extension.runs > 0 ? json(extension.runs) : json(nullptr)},
+                        {"changes", extension.changes}});
+    return list;
+}
+
 } // namespace
 
 std::string status_json(CampaignStatus const& status)
@@ -121,6 +131,7 @@ std::string status_json(CampaignStatus const& status)
                       {"state", word_for(status.state)},
                       {"owner", text(status.owner)},
                       {"ended", text(status.ended)},
+                      {"extensions", extensions_of(status.extensions)},
                       {"runs", counts_of(status.all)},
                       {"waves", waves_of(status)},
                       {"failures", failures_of(status)},

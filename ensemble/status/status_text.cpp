@@ -29,6 +29,15 @@ std::string state_text(CampaignStatus const& status)
     return "not running; go on with: mpirun -n N demens " + text::shell_word(status.file);
 }
 
+std::string extensions_text(CampaignStatus const& status)
+{
+    std::string text;
+    for (auto const& extension : status.extensions)
+        for (auto const& change : extension.changes)
+            text += fmt::format("extended   from wave {} on: {}\n", extension.first_wave, change);
+    return text;
+}
+
 std::string waves_text(CampaignStatus const& status)
 {
     auto text = fmt::format("{:<6} {:<14} {:>6} {:>6} {:>8} {:>7} {:>13} {:>6}\n", "wave", "purpose", "runs",
@@ -134,8 +143,8 @@ std::string best_fit_text(std::optional<BestFit> const& best)
 
 std::string status_text(CampaignStatus const& status)
 {
-    return fmt::format("campaign   {}\nfile       {}\nstate      {}\n\n", status.name, status.file,
-                       state_text(status)) +
+    return fmt::format("campaign   {}\nfile       {}\nstate      {}\n{}\n", status.name, status.file,
+                       state_text(status), extensions_text(status)) +
            waves_text(status) + failures_text(status) + best_fit_text(status.best) + progress_text(status) +
            time_left_text(status);
 }

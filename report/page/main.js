@@ -1,5 +1,6 @@
-// The page, from top to bottom. The document `campaign` has: name, file, seed, ended, stop, factors, constraints,
-// experiments, targets, warnings, live (while it is worked on), waves (with their runs), history, optimum, values, progress, surrogate, details (pictures, series), gap, input.
+// The page, from top to bottom. The document `campaign` has: name, file, seed, ended, extensions, stop, factors, constraints,
+// experiments, targets, warnings, live (while it is worked on), waves (with their runs), history, optimum, values, progress, surrogate,
+// details (pictures, series), failed_pictures, gap, input.
 
 function show_headline() {
     section('name').textContent = campaign.name;
@@ -25,6 +26,10 @@ function show_headline() {
         tile(duration(spent), 'wall time of the waves'),
     ];
     section('tiles').append(...tiles);
+    for (const extension of campaign.extensions)
+        section('ended').after(element('details', {class: 'note'},
+            element('summary', {}, `Extended: from wave ${extension.first_wave} on the input is another.`),
+            element('ul', {}, ...extension.changes.map((change) => element('li', {}, change)))));
     section('ended').append(element('b', {}, campaign.ended ? 'Ended: ' : 'Not ended yet. '),
                             campaign.ended || (campaign.live ? live_text(campaign.live) : 'The same command goes on with it.'));
     for (const warning of campaign.warnings)

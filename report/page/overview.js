@@ -77,6 +77,35 @@ function show_importance(parent) {
         ],
     });
     show_quality(right, fit);
+    show_left_out(parent, fit);
+}
+
+// Each location as simulated and as predicted from the others, a plot a response.
+function show_left_out(parent, fit) {
+    const rows = fit.left_out || [];
+    const by_target = all_targets.map((target) => rows.filter(([number]) => number === target.index))
+        .map((list) => list.filter(([, simulated, predicted]) => known(simulated) && known(predicted)));
+    if (by_target.every((list) => list.length < 3)) return;
+    parent.append(element('h3', {}, 'Predicted from the other points, against simulated'));
+    const grid = element('div', {class: 'columns three'});
+    parent.append(grid);
+    all_targets.forEach((target, index) => {
+        const list = by_target[index];
+        if (list.length < 3) return;
+        const domain = extent(list.flatMap(([, simulated, predicted]) => [simulated, predicted]));
+        plot(grid, `left-out-${index}`, {
+            width: 220, height: 200, description: `${target.short}: predicted from the other points over simulated`,
+            data: [{name: 'dots', values: list.map(([, x, y]) => ({x, y}))},
+                   {name: 'same', values: [{x: domain[0], y: domain[0]}, {x: domain[1], y: domain[1]}]}],
+            scales: [linear('x', 'width', domain, {nice: false}), linear('y', 'height', domain, {nice: false})],
+            axes: [axis('bottom', 'x', `${target.short}, simulated`, {format: '~g'}), axis('left', 'y', 'predicted', {format: '~g', minExtent: 34})],
+            marks: [
+                mark('line', 'same', {x: {scale: 'x', field: 'x'}, y: {scale: 'y', field: 'y'}, stroke: {value: colours.axis}, strokeDash: {value: [4, 3]}}),
+                mark('symbol', 'dots', {x: {scale: 'x', field: 'x'}, y: {scale: 'y', field: 'y'}, size: {value: 34},
+                    fill: {value: colours.design}, fillOpacity: {value: 0.8}}),
+            ],
+        });
+    });
 }
 
 // In words how well each surrogate predicts runs that it was not fitted to.

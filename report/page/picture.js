@@ -46,7 +46,85 @@ function draw_picture(canvas, picture, shade) {
     canvas.dataset.marks = particles.h.length + edges.length + picture.lines.length;
 }
 
+// The particles of a picture seen from another side, turned about the vertical.
+function draw_turned(canvas, picture, angle) {
+    const {h, v, r, into} = picture.particles;
+    const middle = picture.size[0] / 2, behind = range_of(into), inwards = (behind[0] + behind[1]) / 2;
+    const reach = Math.max(...h.map((at, i) => Math.hypot(at - middle, into[i] - inwards) + r[i])) || 1;
+    const pixels = 900, scale = (pixels - 16) / Math.max(2 * reach, picture.size[1]);
+    canvas.width = pixels;
+    canvas.height = Math.ceil(picture.size[1] * scale + 16);
+    const context = canvas.getContext('2d'), cos = Math.cos(angle), sin = Math.sin(angle);
+    context.fillStyle = '#ffffff';
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    const depth = h.map((at, i) => (into[i] - inwards) * cos - (at - middle) * sin);
+    const order = [...depth.keys()].sort((a, b) => depth[b] - depth[a]);
+    context.lineWidth = 0.8;
+    context.strokeStyle = 'rgba(60, 42, 20, 0.55)';
+    for (const i of order) {
+        const t = (depth[i] + reach) / (2 * reach);
+        context.beginPath();
+        context.arc(pixels / 2 + ((h[i] - middle) * cos + (into[i] - inwards) * sin) * scale, canvas.height - 8 - v[i] * scale,
+                    Math.max(r[i] * scale, 0.7), 0, 2 * Math.PI);
+        context.fillStyle = `rgb(${Math.round(226 - 104 * t)},${Math.round(197 - 96 * t)},${Math.round(150 - 74 * t)})`;
+        context.fill();
+        context.stroke();
+    }
+    canvas.dataset.marks = order.length;
+}
+
+// The last picture of a run, to be turned by hand or by itself.
+function show_turning(parent, details) {
+    const picture = details.snapshots[details.snapshots.length - 1];
+    if (!picture || picture.particles.into.length === 0 || picture.particles.into.length < 2) return;
+    const canvas = element('canvas', {class: 'picture', 'data-plot': `turning-${details.experiment}`, role: 'img',
+                                      'aria-label': 'Particles at the end, seen from a side that can be chosen'});
+    const slider = element('input', {type: 'range', min: 0, max: 360, value: 30, 'aria-label': 'turned by degrees'});
+    const button = element('button', {type: 'button'}, 'turn');
+    const draw = () => draw_turned(canvas, picture, slider.value * Math.PI / 180);
+    slider.addEventListener('input', draw);
+    let turning = false;
+    const step = () => {
+        if (!turning) return;
+        slider.value = (Number(slider.value) + 1) % 360;
+        draw();
+        requestAnimationFrame(step);
+    };
+    button.addEventListener('click', () => {
+        turning = !turning;
+        button.textContent = turning ? 'stop' : 'turn';
+        step();
+    });
+    const folded = element('details', {class: 'turning'}, element('summary', {}, `From other sides: ${words_of(picture.name)}, particles alone`),
+                           element('div', {class: 'controls'}, slider, ' ', button), canvas);
+    folded.addEventListener('toggle', draw);
+    draw();
+    parent.append(folded);
+}
+
+function show_failed_pictures(parent) {
+    if (campaign.failed_pictures.length === 0) return;
+    parent.append(element('h3', {}, 'How runs ended that failed'));
+    const row = element('div', {class: 'columns three'});
+    parent.append(row);
+    for (const failed of campaign.failed_pictures) {
+        const canvas = element('canvas', {class: 'picture', 'data-plot': `failed-${failed.run}`, role: 'img',
+                                          'aria-label': `Run ${failed.run}, ${failed.status}`});
+        draw_picture(canvas, failed.picture, shades.depth);
+        row.append(element('figure', {}, canvas, element('figcaption', {}, `run ${failed.run} (${campaign.experiments[failed.experiment].name}), `
+            + `${failed.status}: ${failed.reason}; ${words_of(failed.picture.name)}, ${number(failed.picture.time, 3)} s`)));
+    }
+}
+
 function show_pictures(parent) {
+    show_pictures_of_shown_runs(parent);
+    show_failed_pictures(parent);
+    if (all_runs.length > 0 && campaign.file)
+        parent.append(element('p', {class: 'note'}, 'Any other run, as frames for ParaView: ',
+                              element('code', {}, `demens replay ${campaign.file} --run N --frames FOLDER`)));
+}
+
+function show_pictures_of_shown_runs(parent) {
     if (campaign.details.length === 0) {
         parent.append(element('p', {class: 'note'}, 'No run has finished yet.'));
         return;
@@ -68,6 +146,7 @@ function show_pictures(parent) {
                 `${words_of(picture.name)}, ${number(picture.time, 3)} s, ${shown}`)));
             drawings.push([canvas, picture]);
         }
+        show_turning(parent, details);
     }
     if (drawings.length === 0) return;
     const choice = element('select', {});

@@ -42,6 +42,26 @@ void add_surrogates(Arrays& arrays, Assessment const& assessment)
     arrays.vector(stored::surrogate::replicate_sd, assessment.locations().replicate_sd());
 }
 
+//! What each surrogate says of locations that it does not know.
+void add_cross_validation(Arrays& arrays, Assessment const& assessment)
+{
+    int const m = assessment.objective().size();
+    Eigen::Index rows = 0;
+    for (int t = 0; t < m; ++t)
+        rows += assessment.samples(t).values.size();
+    MatrixXd table(rows, 3);
+    Eigen::Index first = 0;
+    for (int t = 0; t < m; ++t) {
+        auto const& simulated = assessment.samples(t).values;
+        auto part = table.middleRows(first, simulated.size());
+        part.col(0).setConstant(t);
+        part.col(1) = simulated;
+        part.col(2) = simulated - assessment.surrogate(t).leave_one_out_errors();
+        first += simulated.size();
+    }
+    arrays.matrix(stored::surrogate::left_out, table);
+}
+
 void add_slices(Arrays& arrays, Assessment const& assessment)
 {
     int const m = assessment.objective().size(), k = assessment.cube().size();
@@ -163,6 +183,7 @@ std::vector<NamedArray> analysis_arrays(ensemble::Campaign const& campaign, Asse
         add_best(arrays, assessment.objective(), *best);
     if (assessment.fitted()) {
         add_surrogates(arrays, assessment);
+        add_cross_validation(arrays, assessment);
         add_slices(arrays, assessment);
         add_prediction(arrays, assessment);
         add_knowledge(arrays, campaign, assessment);

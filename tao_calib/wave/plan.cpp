@@ -25,6 +25,15 @@ int waves_of(Campaign const& campaign, WavePurpose purpose)
                                           [&](auto const& wave) { return wave.purpose == purpose; }));
 }
 
+//! Those that count against [stop].
+int counted_waves_of(Campaign const& campaign, WavePurpose purpose)
+{
+    return static_cast<int>(
+        std::count_if(campaign.waves.begin(), campaign.waves.end(), [&](auto const& wave) {
+            return wave.purpose == purpose && wave.number >= campaign.first_counted_wave();
+        }));
+}
+
 int confirmations_in_a_row(Campaign const& campaign)
 {
     int count = 0;
@@ -39,19 +48,16 @@ struct Budget
 {
     explicit Budget(Campaign const& campaign)
     {
-        int per_point = 0, runs = 0;
+        int per_point = 0;
         for (auto const& experiment : campaign.input.experiments)
             if (experiment.role == ensemble::ExperimentRole::calibrate)
                 per_point += experiment.replicates;
         double wall_time = 0;
-        for (auto const& wave : campaign.waves) {
-            if (!wave.taken_from.empty())
-                continue; // paid elsewhere
-            runs += static_cast<int>(wave.runs.size());
-            wall_time += wave.wall_time;
-        }
+        for (auto const& wave : campaign.waves)
+            if (wave.number >= campaign.first_counted_wave() && wave.taken_from.empty())
+                wall_time += wave.wall_time;
         auto const& stop = campaign.input.stop;
-        points = std::max(0, stop.runs - runs) / std::max(1, per_point);
+        points = campaign.runs_left() / std::max(1, per_point);
         time_is_up = stop.wall_time_s > 0 && wall_time >= stop.wall_time_s;
     }
     int points;      //!< design points, all experiments and replicates each
@@ -155,7 +161,7 @@ NextStep more_design(Campaign const& campaign, Assessment const& assessment, Bud
     };
     if (locations.finished_runs() == 0)
         return give_up("no run has finished at all");
-    if (waves_of(campaign, WavePurpose::design) >= most_design_waves)
+    if (counted_waves_of(campaign, WavePurpose::design) >= most_design_waves)
         return give_up("further points did not help");
     int const missing = needed - locations.complete();
     int const count = std::min(std::max(batch_size(campaign), 2 * missing), budget.points);
@@ -170,6 +176,8 @@ std::optional<std::string> goal_reached(Campaign const& campaign, Assessment con
                                         Location const& best,
                                         std::vector<ensemble::NamedArray> const& analysis)
 {
+    if (!campaign.extensions.empty() && campaign.extensions.back().runs > 0)
+        return std::nullopt; // more runs were asked for
     auto const& stop = campaign.input.stop;
     double const wmse = assessment.objective().wmse(best.responses);
     if (stop.wmse > 0 && wmse <= stop.wmse)
@@ -202,7 +210,7 @@ std::optional<std::string> search_exhausted(Campaign const& campaign, Assessment
         return fmt::format("the wall time of {:g} s is spent (stop.wall_time_s)", stop.wall_time_s);
     if (budget.points <= reserve(campaign))
         return fmt::format("no further point fits into the budget of {} runs (stop.runs)", stop.runs);
-    if (waves_of(campaign, WavePurpose::search) >= stop.waves)
+    if (counted_waves_of(campaign, WavePurpose::search) >= stop.waves)
         return fmt::format("{} waves have searched (stop.waves)", stop.waves);
     if (stop.no_improvement_waves > 0 && waves_in_vain(campaign, assessment) >= stop.no_improvement_waves)
         return fmt::format("{} waves in a row found nothing better beyond noise (stop.no_improvement_waves)",

@@ -71,7 +71,8 @@ int waves_in_vain(ensemble::Campaign const& campaign, Assessment const& assessme
             std::max(noticed_per_target * static_cast<double>(targets.size()), noticed_share * record);
         if (!std::isfinite(record) ? std::isfinite(least[w]) : least[w] < record - noticed)
             in_vain = 0;
-        else if (campaign.waves[w].purpose == ensemble::WavePurpose::search)
+        else if (campaign.waves[w].purpose == ensemble::WavePurpose::search &&
+                 campaign.waves[w].number >= campaign.first_counted_wave())
             ++in_vain;
         record = std::min(record, least[w]);
     }

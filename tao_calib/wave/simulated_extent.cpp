@@ -7,16 +7,32 @@ namespace demens::tao_calib {
 
 using Eigen::VectorXd;
 
-SimulatedExtent::SimulatedExtent(Assessment const& assessment)
-    : free_factors_(assessment.cube().free_factors()),
-      lower_(VectorXd::Constant(assessment.cube().size(), std::numeric_limits<double>::infinity())),
-      upper_(-lower_)
+namespace {
+
+std::vector<VectorXd> complete_locations(Assessment const& assessment)
 {
+    std::vector<VectorXd> places;
     for (auto const& location : assessment.locations().all())
-        if (location.complete()) {
-            lower_ = lower_.cwiseMin(location.unit);
-            upper_ = upper_.cwiseMax(location.unit);
-        }
+        if (location.complete())
+            places.push_back(location.unit);
+    return places;
+}
+
+} // namespace
+
+SimulatedExtent::SimulatedExtent(Assessment const& assessment)
+    : SimulatedExtent(assessment.cube(), complete_locations(assessment))
+{
+}
+
+SimulatedExtent::SimulatedExtent(UnitCube const& cube, std::vector<VectorXd> const& reached)
+    : free_factors_(cube.free_factors()),
+      lower_(VectorXd::Constant(cube.size(), std::numeric_limits<double>::infinity())), upper_(-lower_)
+{
+    for (auto const& place : reached) {
+        lower_ = lower_.cwiseMin(place);
+        upper_ = upper_.cwiseMax(place);
+    }
 }
 
 bool SimulatedExtent::holds(int factor, double place) const

@@ -16,6 +16,8 @@ grep -q 'particles  *about 1$' plan.txt
 ! grep -q tangential_restitution plan.txt
 "$demens" try impact.toml --set contact.steel_steel.static_friction=0.2 |
   awk '$1 == "tangential_restitution" { found = $2 } END { exit !(found > 0.8923 && found < 0.8933) }'
+"$demens" try impact.toml --picture seen.png >try.txt
+grep -q 'no picture' try.txt # one sphere and a plane, which the rig keeps no snapshot of
 ! "$demens" try impact.toml --set contact.steel_steel.static_fricton=0.2 2>try.txt
 grep -q 'did you mean "contact.steel_steel.static_friction"' try.txt
 test ! -e impact.h5
@@ -40,6 +42,19 @@ test -s frames/particles.pvd
 # Again: nothing is left to do, also when the TOML file is named and without mpirun.
 "$demens" impact.toml >again.txt
 diff <(grep -v wall run.txt) <(grep -v wall again.txt)
+
+# Results that were made elsewhere: the design goes out, is filled in (here with what the runs gave) and comes back.
+"$demens" export impact.h5 -o out >/dev/null
+sed 's/runs = 40/runs = 40\nwall_time_s = 0/' impact.toml >offline.toml
+"$demens" new offline.toml >/dev/null
+"$demens" export offline.h5 -o design >/dev/null
+grep -c 'not run,,.*,,$' design/runs.oblique.csv | grep -qx 5
+! "$demens" new offline.toml --results design/runs.oblique.csv --output filled.h5 2>said.txt
+grep -q 'no row has results' said.txt
+"$demens" new offline.toml --results out/runs.oblique.csv --output filled.h5 >said.txt
+grep -q 'runs of oblique are taken from out/runs.oblique.csv' said.txt
+"$demens" run filled.h5 --gather >offline.txt || [ $? = 75 ]
+awk '$1 == "static_friction" { found = $2 } END { exit !(found > 0.199 && found < 0.201) }' offline.txt
 
 # The other command makes the same campaign in one.
 mkdir one

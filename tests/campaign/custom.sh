@@ -65,6 +65,9 @@ points = 3
 waves = 0
 TOML
 
+"$demens" try custom.toml --picture seen.png >try.txt
+grep -q 'wrote seen.png: fall, 0.2' try.txt
+[ "$(head -c 4 seen.png | tail -c 3)" = PNG ]
 "$demens" new custom.toml >new.txt
 grep -q 'warning: experiment.bench: wall.plate: 3 edges with one triangle only' new.txt
 rm -r parts
