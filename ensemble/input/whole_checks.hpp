@@ -6,8 +6,8 @@ namespace demens::ensemble::input {
 
 //! What sections must satisfy together: design and factors, targets, budget. \throws InputError
 void check_sections(InputTable const& file, CampaignInput const& input);
-//! Ranks that share a run, where the campaign leaves it open: 10,000 particles of the largest experiment each,
-//! at its base values, and no more than every rig can be shared by.
+//! Ranks that share a run, where the campaign leaves it open: 10,000 particles of the largest experiment
+//! each, at its base values, and no more than every rig can be shared by.
 int ranks_that_pay(CampaignInput const& input, BaseInput const& base);
 //! Lets every rig check the base input and the corners of the factors' ranges, so that no run can be refused
 //! later for what its author wrote. \throws InputError
