@@ -169,7 +169,7 @@ struct RunOptions
 {
     static double constexpr limit_by_prediction = -1;
 
-    int ranks_per_group = 1; //!< in a file 0: chosen by the number of particles
+    int ranks_per_group = 1;                      //!< in a file 0: chosen by the number of particles
     double run_wall_time_s = limit_by_prediction; //!< a run slower than this is `timed_out`; 0: no limit
     rig::EngineChoice engine = rig::EngineChoice::cpu;
     int runs_together = 0; //!< on a device at once; 0: as many as its memory holds

@@ -27,8 +27,7 @@ TEST(InputChanges, AreToldByTheirPaths)
                 ElementsAre("experiment.one.target.third.value: 30.5, now 31.0"));
     EXPECT_THAT(changes_to("gain = -0.500000", "gain = 2"),
                 ElementsAre("experiment.two.gain: -0.5, now 2.0"));
-    EXPECT_THAT(changes_to("upper = 1.0", "upper = 2.0"),
-                ElementsAre("factor.x.upper: 1.0, now 2.0"));
+    EXPECT_THAT(changes_to("upper = 1.0", "upper = 2.0"), ElementsAre("factor.x.upper: 1.0, now 2.0"));
     EXPECT_THAT(changes_to("form_floor", "runs = 500\nform_floor"), ElementsAre("gap.runs: 2000, now 500"));
 }
 
