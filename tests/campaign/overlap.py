@@ -3,6 +3,7 @@ batch each, the second one planned before the first one has results.
 
 usage: overlap.py DEMENS MPIRUN IMPACT.toml; exit 77 where h5py is missing
 """
+import glob
 import os
 import signal
 import subprocess
@@ -24,7 +25,7 @@ environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROO
 
 def campaign(name, overlap):
     text = open(template).read().replace(", tolerance = 0.0005", "").replace(
-        "angle_deg = 75", "angle_deg = 75\nrayleigh_fraction = 0.002")  # runs of some tenths of a second
+        "angle_deg = 75", "angle_deg = 75\nrayleigh_fraction = 0.0005")  # runs of some tenths of a second
     text = text.replace("waves = 5", "waves = 4\nno_improvement_waves = 0")
     with open(name + ".toml", "w") as file:
         file.write(text + f"\n[search]\nbatch = 4\noverlap = {str(overlap).lower()}\n")
@@ -69,16 +70,25 @@ with tempfile.TemporaryDirectory() as folder:
         assert results[ranks] == results[1], [path for path in results[1] if results[ranks].get(path) != results[1][path]]
 
     toml = campaign("stopped", True)
+    parts = "stopped.h5.parts"
+
+    def starts():
+        journals = glob.glob(parts + "/journal-*")
+        try:
+            return sum(open(journal).read().count(" START ") for journal in journals)
+        except FileNotFoundError:  # the wave is over
+            return 0
+
     stops = 0
     while True:
+        before = starts()
         process = start(toml, 2)
-        parts = "stopped.h5.parts"
-        deadline = time.time() + 1.5
-        while process.poll() is None and time.time() < deadline:
-            time.sleep(0.05)
-        if process.poll() is None and stops < 4:
-            process.send_signal(signal.SIGTERM)
-            stops += 1
+        while process.poll() is None and stops < 4:
+            if starts() >= before + 3:
+                process.send_signal(signal.SIGTERM)
+                stops += 1
+                break
+            time.sleep(0.005)
         code = process.wait()
         if code == 0:
             break

@@ -113,8 +113,8 @@ TEST(Render, finished_campaign)
               600 + 3 +
                   2); // particles, two sides and the floor, two lines of a curved wall; the pane is not drawn
     // Four of the fit, two experiments with three responses against three factors, series,
-    // profiles, timing, pictures.
-    EXPECT_EQ(marks.size(), 4u + 2u * 3u * 3u + 2u + 2u + 1u + 4u + 3u + 1u); // pairs, importance
+    // profiles, timing, pictures; pairs, importance; the last pictures to be turned, and how a run failed.
+    EXPECT_EQ(marks.size(), 4u + 2u * 3u * 3u + 2u + 2u + 1u + 4u + 3u + 1u + 2u + 1u);
     EXPECT_EQ(count_of(page, "<tr class=\"failed\""), 1);
     EXPECT_EQ(count_of(page, "<tr class=\"best\""), 4);
     EXPECT_NE(page.find("no better point in 4 waves"), std::string::npos);
