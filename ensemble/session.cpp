@@ -95,7 +95,9 @@ struct Session::Implementation
                 throw FileError(fmt::format("{}: finished runs cannot be read back; the disk may be failing",
                                             parts.folder().string()));
             WaveRunner runner(communicator, *groups, campaign->input, parts);
-            if (foresight && seen.work.suspicious.empty() && (is_last(number) || is_last(number + 1)))
+            bool const can_look_ahead =
+                is_last(number) || (is_last(number + 1) && !is_complete(campaign->waves.back()));
+            if (foresight && can_look_ahead && seen.work.suspicious.empty())
                 run_looking_ahead(runner, {*open, seen.work}, journal.get(), foresight);
             else
                 runner.run({{*open, seen.work}}, journal.get(), options.progress);

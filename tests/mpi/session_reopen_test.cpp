@@ -61,6 +61,24 @@ void expect_same_runs(Campaign const& a, Campaign const& b)
 
 } // namespace
 
+TEST_F(ReopenTest, NothingIsPlannedAheadOfAWaveThatIsComplete)
+{
+    run_campaign();
+    auto const before = read();
+    take_back({3}, Fate::redo); // of the first wave; the second one stays as it is
+    int looks = 0;
+    {
+        Session session(MPI_COMM_WORLD, file_, options());
+        EXPECT_EQ(session.run_waves([&](Campaign const&) {
+            ++looks;
+            return LookAhead{};
+        }),
+                  WaveEnd::complete);
+    }
+    EXPECT_EQ(looks, 0);
+    expect_same_runs(before, read());
+}
+
 TEST_F(ReopenTest, WhatIsRunAgainGivesTheSameBits)
 {
     run_campaign();
