@@ -4,6 +4,7 @@
 #include "demens/base/error.hpp"
 #include "demens/base/text/shell.hpp"
 #include "demens/base/words.hpp"
+#include "ensemble/input/design_table.hpp"
 #include "ensemble/reuse/extension.hpp"
 #include "ensemble/reuse/input_changes.hpp"
 #include "ensemble/run/execute.hpp"
@@ -60,14 +61,8 @@ std::vector<std::vector<double>> starts_from(Campaign const& there, CampaignInpu
 std::vector<std::vector<double>> within_constraints(std::vector<std::vector<double>> points,
                                                     CampaignInput const& input)
 {
-    std::erase_if(points, [&](auto const& point) {
-        return std::any_of(input.constraints.begin(), input.constraints.end(), [&](auto const& constraint) {
-            double sum = 0;
-            for (std::size_t k = 0; k < point.size(); ++k)
-                sum += constraint.coefficients[k] * point[k];
-            return sum > constraint.bound;
-        });
-    });
+    std::erase_if(
+        points, [&](auto const& point) { return !ensemble::input::broken_constraint(input, point).empty(); });
     return points;
 }
 

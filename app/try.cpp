@@ -2,6 +2,7 @@
 // measures.
 #include "app/command.hpp"
 #include "demens/base/error.hpp"
+#include "demens/base/extent.hpp"
 #include "demens/base/text/number.hpp"
 #include "demens/observe/vtk_frames.hpp"
 #include "demens/picture_file/scene.hpp"
@@ -43,27 +44,23 @@ void set_values(CampaignInput& input, std::vector<std::string> const& settings)
 }
 
 //! Box around what stands there at first [m].
-struct Extent
+struct Box
 {
-    Vector3 lower, upper;
-    bool any = false;
+    Extent x, y, z;
 
     void add(Vector3 const& centre, double radius)
     {
-        Vector3 const r{radius, radius, radius};
-        lower = any ? Vector3{std::min(lower.x, centre.x - radius), std::min(lower.y, centre.y - radius),
-                              std::min(lower.z, centre.z - radius)}
-                    : centre - r;
-        upper = any ? Vector3{std::max(upper.x, centre.x + radius), std::max(upper.y, centre.y + radius),
-                              std::max(upper.z, centre.z + radius)}
-                    : centre + r;
-        any = true;
+        x.include(centre.x, radius);
+        y.include(centre.y, radius);
+        z.include(centre.z, radius);
     }
+    bool any() const { return x.lower <= x.upper; }
     std::string text() const
     {
-        return !any ? "none"
-                    : fmt::format("({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * lower.x,
-                                  1e3 * lower.y, 1e3 * lower.z, 1e3 * upper.x, 1e3 * upper.y, 1e3 * upper.z);
+        return !any()
+                   ? "none"
+                   : fmt::format("({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * x.lower,
+                                 1e3 * y.lower, 1e3 * z.lower, 1e3 * x.upper, 1e3 * y.upper, 1e3 * z.upper);
     }
 };
 
@@ -85,14 +82,14 @@ void print_plan(ensemble::Experiment const& experiment, rig::RunInput const& inp
                cost / usual_rate);
     fmt::print("  memory           at least {:.2g} MB\n",
                1e-6 * rig::memory_needed(programme.expected_particles));
-    Extent bodies;
+    Box bodies;
     double smallest = std::numeric_limits<double>::infinity(), largest = 0;
     for (auto const& body : apparatus.bodies) {
         bodies.add(body.position, body.radius);
         smallest = std::min(smallest, 2 * body.radius);
         largest = std::max(largest, 2 * body.radius);
     }
-    if (bodies.any)
+    if (bodies.any())
         fmt::print("  at first         {} spheres of {:.4g} to {:.4g} mm, from {}\n", apparatus.bodies.size(),
                    1e3 * smallest, 1e3 * largest, bodies.text());
     for (std::size_t k = 0; k < apparatus.walls.size(); ++k) {

@@ -1,9 +1,10 @@
 #include "report/picture.hpp"
 
+#include "demens/base/extent.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace demens::report {
 
@@ -15,23 +16,10 @@ constexpr std::size_t largest_picture = 20000; //!< particles; those behind are 
 constexpr double resolution = 8192;            //!< quanta over the larger side of a picture
 constexpr std::size_t longest_series = 500;    //!< points a line
 
-struct Range
-{
-    double lower = std::numeric_limits<double>::infinity();
-    double upper = -std::numeric_limits<double>::infinity();
-
-    void include(double value, double margin = 0)
-    {
-        lower = std::min(lower, value - margin);
-        upper = std::max(upper, value + margin);
-    }
-    double width() const { return std::max(0.0, upper - lower); }
-};
-
 //! What a picture shows, the same for all snapshots of a run: the particles with some room around them.
 struct Frame
 {
-    std::array<Range, 3> along; //!< extents of the particles, of walls where there are none [m]
+    std::array<Extent, 3> along; //!< extents of the particles, of walls where there are none [m]
 
     explicit Frame(std::vector<rig::Snapshot> const& snapshots)
     {
@@ -51,7 +39,7 @@ struct Frame
                     }
     }
     //! The part of an axis that is shown.
-    Range shown(std::size_t axis) const
+    Extent shown(std::size_t axis) const
     {
         double const room = 0.04 * std::max(along[across()].width(), along[2].width());
         return {along[axis].lower - room, along[axis].upper + room};
@@ -67,7 +55,7 @@ struct Frame
     }
 
   private:
-    static void include_particles(Range& range, std::vector<double> const& centres,
+    static void include_particles(Extent& range, std::vector<double> const& centres,
                                   std::vector<double> const& radius)
     {
         for (std::size_t i = 0; i < centres.size(); ++i)
@@ -92,7 +80,7 @@ std::vector<std::size_t> drawing_order(rig::Snapshot const& snapshot, std::vecto
 std::vector<long> layers_of(rig::Snapshot const& first, rig::Snapshot const& snapshot)
 {
     std::vector<long> layers;
-    Range height;
+    Extent height;
     for (double z : first.z)
         if (std::isfinite(z))
             height.include(z);
@@ -106,7 +94,7 @@ std::vector<long> layers_of(rig::Snapshot const& first, rig::Snapshot const& sna
 //! \param turns whether it can be looked at from other sides
 json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame const& frame, Turning turns)
 {
-    Range const horizontal = frame.shown(frame.across()), vertical = frame.shown(2);
+    Extent const horizontal = frame.shown(frame.across()), vertical = frame.shown(2);
     auto const& into = frame.along[frame.into()];
     auto const& across = frame.across() == 0 ? snapshot.x : snapshot.y;
     auto const& depth = frame.across() == 0 ? snapshot.y : snapshot.x;

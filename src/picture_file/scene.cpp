@@ -1,5 +1,7 @@
 #include "demens/picture_file/scene.hpp"
 
+#include "demens/base/extent.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,28 +17,15 @@ constexpr Colour front = {226, 197, 150}, back = {122, 101, 76}; //!< of particl
 constexpr int oversampling = 2;                                  //!< in both directions, against jagged edges
 constexpr double margin = 0.04;                                  //!< of the wider extent
 
-struct Range
-{
-    double lower = std::numeric_limits<double>::infinity();
-    double upper = -std::numeric_limits<double>::infinity();
-
-    void include(double value, double around = 0)
-    {
-        lower = std::min(lower, value - around);
-        upper = std::max(upper, value + around);
-    }
-    double width() const { return std::max(0.0, upper - lower); }
-};
-
 Colour mixed(Colour const& a, Colour const& b, double share)
 {
     return {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])};
 }
 
 //! Extents of what is there: the particles, of walls where there are none [m].
-std::array<Range, 3> extents_of(observe::Snapshot const& snapshot)
+std::array<Extent, 3> extents_of(observe::Snapshot const& snapshot)
 {
-    std::array<Range, 3> along;
+    std::array<Extent, 3> along;
     for (std::size_t i = 0; i < snapshot.x.size(); ++i) {
         std::array<double, 3> const place = {snapshot.x[i], snapshot.y[i], snapshot.z[i]};
         if (std::all_of(place.begin(), place.end(), [](double at) { return std::isfinite(at); }))
@@ -57,7 +46,7 @@ std::array<Range, 3> extents_of(observe::Snapshot const& snapshot)
 class Canvas
 {
   public:
-    Canvas(std::array<Range, 3> const& along, int columns)
+    Canvas(std::array<Extent, 3> const& along, int columns)
         : across_(along[0].width() >= along[1].width() ? 0 : 1), depth_(along[1 - across_])
     {
         double const room = margin * std::max({along[across_].width(), along[2].width(), 1e-12});
@@ -163,7 +152,7 @@ class Canvas
     }
 
     std::size_t across_;        //!< axis across the picture; the other of x and y leads into it
-    Range depth_;               //!< [m]
+    Extent depth_;              //!< [m]
     double left_, top_, pixel_; //!< [m]
     int columns_, rows_;
     std::vector<Colour> colours_;

@@ -80,4 +80,21 @@ inline double response(std::string const& rig, rig::RunResult const& result, std
     return 0;
 }
 
+//! Runs a rig, and again with a record halfway from which it goes on: the same bits. \return the whole run
+inline rig::RunResult run_and_go_on(std::string const& name, rig::RunInput const& input)
+{
+    auto whole = run(name, input);
+    auto const& info = *rig::find_rig(name);
+    rig::ProgrammeRun first(info.describe(input), nullptr);
+    first.advance(whole.steps / 2);
+    EXPECT_FALSE(first.is_over());
+    auto const bytes = first.save().record().to_bytes();
+    rig::ProgrammeRun second(info.describe(input), nullptr,
+                             rig::RunState::from_record(dem::StateRecord::from_bytes(bytes)));
+    while (!second.is_over())
+        second.advance(1000000);
+    EXPECT_EQ(second.result().responses, whole.responses);
+    return whole;
+}
+
 } // namespace demens::testing
