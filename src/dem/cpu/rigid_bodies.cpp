@@ -1,6 +1,7 @@
 #include "src/dem/cpu/rigid_bodies.hpp"
 
 #include "demens/base/contract.hpp"
+#include "demens/base/macros.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -144,39 +145,97 @@ BodyLoad load_of(RigidBodies const& bodies, Particles const& particles, std::siz
     return sum;
 }
 
+namespace {
+
+//! Bodies side by side, whose turns are found at once.
+struct TurnBlock
+{
+    static constexpr std::size_t lanes = 8;
+    double w[lanes], x[lanes], y[lanes], z[lanes];      //!< orientation, before and after
+    double lx[lanes], ly[lanes], lz[lanes];             //!< angular momentum [kg m^2/s]
+    double ix[lanes], iy[lanes], iz[lanes];             //!< principal moments [kg m^2]
+    double spin_x[lanes], spin_y[lanes], spin_z[lanes]; //!< in the middle of the step [rad/s]
+
+    void put(std::size_t k, Quaternion const& q, Vector3 const& momentum, Vector3 const& inertia)
+    {
+        w[k] = q.w, x[k] = q.x, y[k] = q.y, z[k] = q.z;
+        lx[k] = momentum.x, ly[k] = momentum.y, lz[k] = momentum.z;
+        ix[k] = inertia.x, iy[k] = inertia.y, iz[k] = inertia.z;
+    }
+};
+
+DEMENS_MULTIVERSION void turn_freely(TurnBlock& b, double time_step)
+{
+    for (std::size_t k = 0; k < TurnBlock::lanes; ++k) {
+        Quaternion const before{b.w[k], b.x[k], b.y[k], b.z[k]};
+        Vector3 const momentum{b.lx[k], b.ly[k], b.lz[k]}, inertia{b.ix[k], b.iy[k], b.iz[k]};
+        Quaternion const after = freely_turned({before, momentum}, inertia, time_step);
+        // In the middle of the step, as the velocities of the elements, which are their paths over its time.
+        Vector3 const spin = 0.5 * (spin_of(before.rotation(), momentum, inertia) +
+                                    spin_of(after.rotation(), momentum, inertia));
+        b.w[k] = after.w, b.x[k] = after.x, b.y[k] = after.y, b.z[k] = after.z;
+        b.spin_x[k] = spin.x, b.spin_y[k] = spin.y, b.spin_z[k] = spin.z;
+    }
+}
+
+//! Uses the load of a body up.
+void kick_body(RigidBodies& bodies, Particles const& particles, std::size_t b, double kick,
+               Vector3 const& gravity)
+{
+    BodyLoad const load = load_of(bodies, particles, b);
+    bodies.load[b] = {};
+    BodyMotion& motion = bodies.motion[b];
+    motion.velocity += kick / bodies.mass[b].mass * load.force + kick * gravity;
+    motion.angular_momentum += kick * load.torque;
+}
+
+//! The elements follow their body. Returns the square of the largest speed of one.
+double place_elements(RigidBodies& bodies, Particles& particles, std::size_t b, Vector3 const& spin,
+                      double per_step)
+{
+    double fastest = 0;
+    BodyPose const& pose = bodies.pose[b];
+    Rotation const axes = pose.orientation.rotation();
+    for (std::size_t e = bodies.elements_begin(b); e < bodies.elements_end[b]; ++e) {
+        std::uint32_t const k = bodies.element[e];
+        Vector3 const arm = axes(bodies.arm[e]);
+        Vector3 const v = bodies.motion[b].velocity + per_step * (arm - bodies.arm_now[e]);
+        bodies.arm_now[e] = arm;
+        Vector3 const place = pose.position + arm + bodies.image[e];
+        Place& p = particles.place[k];
+        p.x = place.x, p.y = place.y, p.z = place.z;
+        Motion& moves = particles.motion[k];
+        moves.vx = v.x, moves.vy = v.y, moves.vz = v.z;
+        moves.wx = spin.x, moves.wy = spin.y, moves.wz = spin.z;
+        particles.load[k] = {};
+        fastest = std::max(fastest, norm_squared(v));
+    }
+    return fastest;
+}
+
+} // namespace
+
 double move_rigid(RigidBodies& bodies, Particles& particles, double kick, double time_step,
                   Vector3 const& gravity)
 {
     double fastest = 0;
-    double const per_step = 1 / time_step;
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        BodyLoad const load = load_of(bodies, particles, b);
-        bodies.load[b] = {};
-        BodyMass const& m = bodies.mass[b];
-        BodyMotion& motion = bodies.motion[b];
-        BodyPose& pose = bodies.pose[b];
-        motion.velocity += kick / m.mass * load.force + kick * gravity;
-        motion.angular_momentum += kick * load.torque;
-        Vector3 const path = time_step * motion.velocity;
-        pose.position += path;
-        Vector3 const spin_before = spin_of(pose.orientation.rotation(), motion.angular_momentum, m.inertia);
-        pose.orientation = freely_turned({pose.orientation, motion.angular_momentum}, m.inertia, time_step);
-        Rotation const axes = pose.orientation.rotation();
-        // In the middle of the step, as the velocities of the elements, which are their paths over its time.
-        Vector3 const spin = 0.5 * (spin_before + spin_of(axes, motion.angular_momentum, m.inertia));
-        for (std::size_t e = bodies.elements_begin(b); e < bodies.elements_end[b]; ++e) {
-            std::uint32_t const k = bodies.element[e];
-            Vector3 const arm = axes(bodies.arm[e]);
-            Vector3 const v = motion.velocity + per_step * (arm - bodies.arm_now[e]);
-            bodies.arm_now[e] = arm;
-            Vector3 const place = pose.position + arm + bodies.image[e];
-            Place& p = particles.place[k];
-            p.x = place.x, p.y = place.y, p.z = place.z;
-            Motion& moves = particles.motion[k];
-            moves.vx = v.x, moves.vy = v.y, moves.vz = v.z;
-            moves.wx = spin.x, moves.wy = spin.y, moves.wz = spin.z;
-            particles.load[k] = {};
-            fastest = std::max(fastest, norm_squared(v));
+    TurnBlock block;
+    for (std::size_t from = 0; from < bodies.size(); from += TurnBlock::lanes) {
+        std::size_t const count = std::min(TurnBlock::lanes, bodies.size() - from);
+        for (std::size_t k = 0; k < TurnBlock::lanes; ++k) {
+            std::size_t const b = from + std::min(k, count - 1); // lanes past the last body repeat it
+            if (k < count) {
+                kick_body(bodies, particles, b, kick, gravity);
+                bodies.pose[b].position += time_step * bodies.motion[b].velocity;
+            }
+            block.put(k, bodies.pose[b].orientation, bodies.motion[b].angular_momentum,
+                      bodies.mass[b].inertia);
+        }
+        turn_freely(block, time_step);
+        for (std::size_t k = 0; k < count; ++k) {
+            bodies.pose[from + k].orientation = {block.w[k], block.x[k], block.y[k], block.z[k]};
+            Vector3 const spin{block.spin_x[k], block.spin_y[k], block.spin_z[k]};
+            fastest = std::max(fastest, place_elements(bodies, particles, from + k, spin, 1 / time_step));
         }
     }
     return std::sqrt(fastest);

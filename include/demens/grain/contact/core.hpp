@@ -64,11 +64,16 @@ struct CorePair
 
     DEMENS_INLINE DEMENS_FUNCTION CorePair(CoreView const& first, CorePose const& of_a,
                                            CoreView const& second, CorePose const& of_b)
+        : CorePair(first, of_a, second, of_b, of_b.place - of_a.place)
+    {
+    }
+    //! \param to_b from the place of the first to that of the second, or to an image of it [m]
+    DEMENS_INLINE DEMENS_FUNCTION CorePair(CoreView const& first, CorePose const& of_a,
+                                           CoreView const& second, CorePose const& of_b, Vector3 const& to_b)
         : a(first), b(second), scale_a(of_a.scale), scale_b(of_b.scale),
-          shift(of_a.rotation.inverse(of_b.place - of_a.place)),
-          images{of_b.scale * of_a.rotation.inverse(of_b.rotation.x),
-                 of_b.scale * of_a.rotation.inverse(of_b.rotation.y),
-                 of_b.scale * of_a.rotation.inverse(of_b.rotation.z)}
+          shift(of_a.rotation.inverse(to_b)), images{of_b.scale * of_a.rotation.inverse(of_b.rotation.x),
+                                                     of_b.scale * of_a.rotation.inverse(of_b.rotation.y),
+                                                     of_b.scale * of_a.rotation.inverse(of_b.rotation.z)}
     {
     }
 

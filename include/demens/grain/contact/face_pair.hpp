@@ -1,7 +1,7 @@
 #pragma once
 
+#include "demens/grain/contact/face_candidates.hpp"
 #include "demens/grain/contact/feature_contact.hpp"
-#include "demens/grain/contact/seen_face.hpp"
 
 namespace demens::grain::detail {
 
@@ -20,25 +20,25 @@ namespace demens::grain::detail {
 class FacePair
 {
   public:
-    DEMENS_FUNCTION FacePair(ContactSet& set, ContactAxes const& axes, double rounding_a, double rounding_b)
-        : set_(set), axes_(axes), reach_(rounding_a + rounding_b), offset_(0.5 * (rounding_a - rounding_b))
+    DEMENS_FUNCTION FacePair(ContactSet& set, double rounding_a, double rounding_b)
+        : set_(set), reach_(rounding_a + rounding_b), offset_(0.5 * (rounding_a - rounding_b))
     {
     }
 
-    //! \param height_a, height_b those of the nearest points, beyond which nothing of a core is [m]
-    DEMENS_FUNCTION void find(SeenFace& a, SeenFace& b, double height_a, double height_b)
+    DEMENS_FUNCTION void find(SeenFace& a, SeenFace& b, FaceCandidates const& candidates)
     {
-        a.clip(height_b - reach_, 1);
-        b.clip(height_a + reach_, -1);
-        double const gap = height_b > height_a ? height_b - height_a : 0;
-        double const aside = std::sqrt(reach_ * reach_ - gap * gap); // the farthest apart across the normal
-        bool const any_a = corners(a, b, aside, 1), any_b = corners(b, a, aside, -1);
+        bool const any_a = corners(a, b, candidates.corners_a, candidates.short_a, 1);
+        bool const any_b = corners(b, a, candidates.corners_b, candidates.short_b, -1);
         if (any_a && any_b)
             corners_that_meet(a, b);
+        if (candidates.edges != FaceCandidates::all_edges) {
+            for (int k = 0; k < candidates.edges; ++k)
+                cross_edges(a, candidates.edge_a[k], b, candidates.edge_b[k]);
+            return;
+        }
         for (int i = 0; i < a.count; ++i)
             for (int j = 0; j < b.count; ++j)
-                if (a.sides[i].is_near(b.sides[j], aside))
-                    cross_edges(a, i, b, j);
+                cross_edges(a, i, b, j);
     }
 
   private:
@@ -47,18 +47,21 @@ class FacePair
                              std::uint32_t feature)
     {
         if (gap < reach_ && share != 0)
-            set_.add({axes_(middle + offset_ * normal), axes_(normal), reach_ - gap, share, feature});
+            set_.add({middle + offset_ * normal, normal, reach_ - gap, share, feature});
     }
 
-    //! Corners of a face on another. \param sense 1: the face is that of A; -1: of B. False if none touches.
-    DEMENS_FUNCTION bool corners(SeenFace& face, SeenFace const& other, double aside, double sense)
+    //! Corners of a face on another. \param candidates a bit for each that may touch \param sense 1: the face
+    //! is that of A; -1: of B. False if none touches.
+    DEMENS_FUNCTION bool corners(SeenFace& face, SeenFace const& other, std::uint64_t candidates,
+                                 bool has_short_sides, double sense)
     {
+        if (candidates == 0)
+            return false;
         bool any = false;
-        bool const has_short_sides = face.shortest < reach_ * reach_;
         for (int k = 0; k < face.count; ++k) {
             face.overlap[k] = 0;
             face.share[k] = 1;
-            if (!(face.depth[k] > 0 && other.zone.is_near(face.u[k], face.w[k], aside)))
+            if ((candidates >> k & 1U) == 0)
                 continue;
             ToFace const to = other.nearest_to(face.corner(k));
             if (to.gap >= reach_)
@@ -182,7 +185,6 @@ class FacePair
     }
 
     ContactSet& set_;
-    ContactAxes const& axes_;
     double reach_, offset_;
 };
 

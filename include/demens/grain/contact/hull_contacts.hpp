@@ -13,8 +13,12 @@ namespace demens::grain {
 //! whose nearest points lie within both, each along its own distance; what is counted twice is taken away
 //! (`FacePair`). The deepest contact has the cores' distance and normal. Cores that overlap have one contact,
 //! along the last normal.
+//!
+//! \param candidates kept from step to step for as long as the two have moved by no more than `margin` [m]
+//! together since they were new; the result does not depend on them
 DEMENS_FUNCTION inline void hull_contacts(CorePair const& pair, double rounding_a, double rounding_b,
-                                          PairMemory& memory, ContactSet& set)
+                                          PairMemory& memory, ContactSet& set, FaceCandidates& candidates,
+                                          double margin)
 {
     using namespace detail;
     double const reach = rounding_a + rounding_b;
@@ -24,22 +28,29 @@ DEMENS_FUNCTION inline void hull_contacts(CorePair const& pair, double rounding_
     if (nearest.state == CoreState::apart || nearest.gap >= reach)
         return;
     Vector3 const &n = nearest.normal, n_in_b = pair.images.inverse(n);
-    int const face_a = facing_face(pair.a, nearest.vertex_a, nearest.size, n);
-    int const face_b = facing_face(pair.b, nearest.vertex_b, nearest.size, -n_in_b);
+    int const face_a = facing_face(pair.a, nearest.vertex_a, nearest.size, n, candidates.face_a);
+    int const face_b = facing_face(pair.b, nearest.vertex_b, nearest.size, -n_in_b, candidates.face_b);
     if (nearest.state == CoreState::near && face_a >= 0 && face_b >= 0) {
         SeenFace a, b;
-        ContactAxes const axes(n);
-        a.see(pair.a, pair.a.faces[face_a], pair.scale_a * axes.u, pair.scale_a * axes.w, pair.scale_a * n,
-              {});
-        a.normal = a.normal / pair.scale_a;
-        b.see(pair.b, pair.b.faces[face_b], pair.images.inverse(axes.u), pair.images.inverse(axes.w), n_in_b,
-              {dot(pair.shift, axes.u), dot(pair.shift, axes.w), dot(pair.shift, n)});
-        b.normal = b.normal / pair.scale_b;
-        FacePair(set, axes, rounding_a, rounding_b).find(a, b, dot(nearest.on_a, n), dot(nearest.on_b, n));
+        a.see_a(pair, face_a);
+        b.see_b(pair, face_b);
+        if (!candidates.is_of(face_a, face_b)) {
+            candidates.find(a, b, reach, margin);
+            candidates.face_a = face_a, candidates.face_b = face_b;
+        }
+        FacePair(set, rounding_a, rounding_b).find(a, b, candidates);
     }
     if (set.count == 0)
         set.add({0.5 * (nearest.on_a + nearest.on_b + (rounding_a - rounding_b) * n), n, reach - nearest.gap,
                  1, feature_id(ContactFeature::edges, nearest.vertex_a[0], nearest.vertex_b[0])});
+}
+
+//! The same without candidates that are kept.
+DEMENS_FUNCTION inline void hull_contacts(CorePair const& pair, double rounding_a, double rounding_b,
+                                          PairMemory& memory, ContactSet& set)
+{
+    FaceCandidates candidates;
+    hull_contacts(pair, rounding_a, rounding_b, memory, set, candidates, 0);
 }
 
 //! Places from the axes and the place of the first hull to those of space.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demens/grain/contact/core_gap.hpp"
+#include "demens/grain/contact/face_candidates.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -12,6 +13,16 @@ struct HullPair
 {
     std::uint32_t first, second; //!< particles, the first one a hull; or a hull and a wall
     grain::PairMemory memory = {};
+};
+
+//! What spares the search of contacts of a pair while the two move little. Nothing depends on it: it is not
+//! in records, and found again where it is lost.
+struct HullPairHints
+{
+    grain::PairMemory apart = {}; //!< of a pair that does not touch
+    grain::FaceCandidates faces = {};
+    double faces_until =
+        0; //!< how far the two may have moved together, see HullLoop, while `faces` holds [m]
 };
 
 //! One place where a pair touches, as a contact of two balls that stand for the bodies there: each has the
@@ -40,6 +51,10 @@ struct HullContactList
     std::vector<HullContact> contacts{}; //!< in the order of their pairs
     std::vector<double> state{};         //!< contacts x state_size
 
+    //! How far the two of a pair may have moved together before they can touch [m]; empty: not known yet.
+    std::vector<double> apart_until{};
+    std::vector<HullPairHints> hints{}; //!< of pairs, with the former
+
     double* history(std::size_t contact)
     {
         return state.data() + contact * static_cast<std::size_t>(state_size);
@@ -48,7 +63,7 @@ struct HullContactList
     {
         return state.data() + contact * static_cast<std::size_t>(state_size);
     }
-    void clear() { pairs.clear(), contacts.clear(), state.clear(); }
+    void clear() { pairs.clear(), contacts.clear(), state.clear(), apart_until.clear(), hints.clear(); }
     //! How many pairs touch.
     std::size_t touching() const;
 };

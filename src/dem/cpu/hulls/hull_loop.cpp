@@ -38,7 +38,7 @@ void gather(ContactBlock& block, HullContactList const& list, std::vector<HullPa
     for (int l = 0; l < ContactBlock::padded(block.count); ++l) {
         std::size_t const c = from + static_cast<std::size_t>(std::min(l, block.count - 1));
         HullContact const& contact = list.contacts[c];
-        auto const [first, second, memory] = pairs[contact.pair];
+        std::uint32_t const first = pairs[contact.pair].first, second = pairs[contact.pair].second;
         contact::Sphere const i = ball_of(state, first, contact.arm_first);
         put(block, l,
             list.with_walls ? contact::meeting(i, state.walls.all()[second].surface(), contact.apart)
@@ -106,6 +106,9 @@ void scatter(ContactBlock const& b, HullContactList& list, std::vector<HullPair>
 
 void HullLoop::compute(Params const& params, State& state)
 {
+    if (state.bodies.hull_shapes.empty())
+        return;
+    parties_.update(state);
     state.hulls.for_each([&](HullContactList& list) {
         if (!list.pairs.empty())
             compute(params, state, list);
@@ -120,6 +123,18 @@ void HullLoop::compute(Params const& params, State& state, HullContactList& list
     std::swap(list.contacts, now_.contacts), std::swap(list.state, now_.state);
     evaluate(params, state, list.pairs, list);
 }
+
+namespace {
+
+DEMENS_MULTIVERSION void find_hull_contacts(grain::CorePair const& cores, double rounding_a,
+                                            double rounding_b, grain::PairMemory& memory,
+                                            grain::ContactSet& set, grain::FaceCandidates& candidates,
+                                            double margin)
+{
+    grain::hull_contacts(cores, rounding_a, rounding_b, memory, set, candidates, margin);
+}
+
+} // namespace
 
 //! What does not differ between the contacts of a pair.
 struct HullLoop::PairPlace
@@ -166,12 +181,18 @@ void HullLoop::find_contacts(Params const& params, State& state, HullContactList
         all->with_walls = list.with_walls, all->state_size = list.state_size;
     }
     auto const size = static_cast<std::size_t>(list.state_size);
+    list.apart_until.resize(list.pairs.size(), 0.0);
+    list.hints.resize(list.pairs.size());
     std::size_t from = 0;
     for (std::uint32_t p = 0; p < list.pairs.size(); ++p) {
+        HullPair const& pair = list.pairs[p];
+        if (!list.with_walls &&
+            parties_.travelled(pair.first) + parties_.travelled(pair.second) < list.apart_until[p])
+            continue; // without contacts
         std::size_t to = from;
         while (to < list.contacts.size() && list.contacts[to].pair == p)
             ++to;
-        PairPlace const place = find_places(params, state, list.with_walls, list.pairs[p]);
+        PairPlace const place = find_places(params, state, list, p);
         for (int k = 0; k < set_.count; ++k) {
             grain::FeatureContact const& at = set_.contacts[k];
             now_.contacts.push_back(contact_at(at, p, place));
@@ -193,33 +214,71 @@ void HullLoop::find_contacts(Params const& params, State& state, HullContactList
     }
 }
 
-HullLoop::PairPlace HullLoop::find_places(Params const& params, State& state, bool with_wall, HullPair& pair)
+HullLoop::PairPlace HullLoop::find_places(Params const& params, State& state, HullContactList& list,
+                                          std::uint32_t number)
 {
     set_.count = 0;
+    HullPair& pair = list.pairs[number];
     Place const& a = state.particles.place[pair.first];
-    grain::CoreView const point(point_);
-    HullParty const first = party_of(state, pair.first, point);
-    PairPlace place{first.pose.place, {}, first.ball, 0, with_wall};
-    if (with_wall) {
+    HullParty const& first = parties_.hull(state.particles, pair.first);
+    PairPlace place{first.pose.place, {}, first.ball, 0, list.with_walls};
+    if (list.with_walls) {
         walls_.find(first, a.radius, state.walls.all()[pair.second].shape, pair.second, pair.memory, set_);
         return place;
     }
-    HullParty second = party_of(state, pair.second, point);
+    HullParty const& second = parties_.any(state.particles, pair.second);
     Place const& b = state.particles.place[pair.second];
     Periods const& periods = params.options.periodic;
     Vector3 const to_second{nearest_image(b.x - a.x, periods.x.length(), periods.x.half()),
                             nearest_image(b.y - a.y, periods.y.length(), periods.y.half()), b.z - a.z};
-    second.pose.place = place.second = place.first + to_second;
+    place.second = place.first + to_second;
     place.ball_second = second.ball;
-    double const furthest = a.radius + b.radius, reach = first.rounding + second.rounding;
-    if (norm_squared(to_second) >= furthest * furthest)
+    double const distance = norm(to_second), furthest = a.radius + b.radius;
+    if (distance >= furthest) {
+        pair.memory = {};
+        list.apart_until[number] =
+            parties_.travelled(pair.first) + parties_.travelled(pair.second) + (distance - furthest);
         return place;
-    grain::hull_contacts({first.core, first.pose, second.core, second.pose}, first.rounding, second.rounding,
-                         pair.memory, set_);
+    }
+    find_places({first.core, first.pose, second.core, second.pose, to_second}, first.rounding,
+                second.rounding, list, number);
     grain::put_in_space(set_, first.pose);
+    double const reach = first.rounding + second.rounding;
     for (int k = 0; k < set_.count; ++k)
         state.overlapping |= set_.contacts[k].overlap > 2 * reach; // cores overlap as much as the roundings
     return place;
+}
+
+//! A pair that is apart is left alone till the two have moved as far as their distance. What it remembers
+//! for that is beside what results depend on: a pair that begins to touch begins from nothing.
+void HullLoop::find_places(grain::CorePair const& cores, double rounding_a, double rounding_b,
+                           HullContactList& list, std::uint32_t number)
+{
+    constexpr double margin = 0.2, far = 3; // of the reach
+    HullPair& pair = list.pairs[number];
+    HullPairHints& hints = list.hints[number];
+    double const reach = rounding_a + rounding_b;
+    double const travelled = parties_.travelled(pair.first) + parties_.travelled(pair.second);
+    if (!pair.memory.was_near) {
+        grain::CoreGap const gap = grain::core_gap(cores, far * reach, hints.apart);
+        if (gap.state != grain::CoreState::overlapping && gap.gap > reach) {
+            list.apart_until[number] = travelled + (1 - 1e-9) * (gap.gap - reach);
+            return;
+        }
+        if (gap.state != grain::CoreState::overlapping)
+            pair.memory = {};
+    }
+    list.apart_until[number] = 0;
+    if (!(travelled < hints.faces_until))
+        hints.faces.forget();
+    hints.faces.is_new = false;
+    find_hull_contacts(cores, rounding_a, rounding_b, pair.memory, set_, hints.faces, margin * reach);
+    if (hints.faces.is_new)
+        hints.faces_until = travelled + margin * reach;
+    if (set_.state == grain::CoreState::apart) {
+        hints.apart = pair.memory;
+        pair.memory = {};
+    }
 }
 
 void HullLoop::evaluate(Params const& params, State& state, std::vector<HullPair> const& pairs,

@@ -20,11 +20,13 @@ class HullLoop
     void find_contacts(Params const& params, State& state, HullContactList& list);
     //! Where a pair touches, in the axes of space, in `set_`.
     struct PairPlace;
-    PairPlace find_places(Params const& params, State& state, bool with_wall, HullPair& pair);
+    PairPlace find_places(Params const& params, State& state, HullContactList& list, std::uint32_t pair);
+    void find_places(grain::CorePair const& cores, double rounding_a, double rounding_b,
+                     HullContactList& list, std::uint32_t pair);
     void evaluate(Params const& params, State& state, std::vector<HullPair> const& pairs,
                   HullContactList& list);
 
-    grain::Hull point_ = grain::point_hull();
+    HullParties parties_;
     HullWallFinder walls_;
     grain::ContactSet set_;
     HullContactList now_, parted_; //!< contacts and histories

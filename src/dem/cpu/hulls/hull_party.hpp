@@ -3,6 +3,8 @@
 #include "demens/grain/contact/core.hpp"
 #include "src/dem/cpu/state.hpp"
 
+#include <vector>
+
 namespace demens::dem {
 
 //! One side of a contact of hulls: a hull, or a ball, whose core is a point.
@@ -14,20 +16,37 @@ struct HullParty
     double ball;     //!< radius of the ball that stands for it in laws: that of the sphere of its volume [m]
 };
 
-//! \param point core of balls
-inline HullParty party_of(State const& state, std::uint32_t particle, grain::CoreView const& point)
+//! What hulls are in a step, each found once.
+class HullParties
 {
-    Place const& p = state.particles.place[particle];
-    Vector3 const place{p.x, p.y, p.z};
-    if (!state.particles.is_hull(particle))
-        return {point, {place, {}, 1}, p.radius, p.radius};
-    std::uint32_t const body = state.particles.body[particle];
-    grain::RoundedHull const& hull = *state.bodies.hull_shape(body).hull;
-    double const radius = state.bodies.mass[body].radius;
-    return {grain::CoreView(hull.core),
-            {place, state.bodies.pose[body].orientation.rotation(), radius},
-            radius * hull.rounding,
-            radius};
-}
+  public:
+    //! Finds them anew, and how far each has moved since the last time.
+    void update(State const& state);
+
+    HullParty const& hull(Particles const& particles, std::uint32_t particle) const
+    {
+        return hulls_[particles.body[particle]];
+    }
+    //! A hull, or a ball: that one till the next is asked for.
+    HullParty const& any(Particles const& particles, std::uint32_t particle)
+    {
+        if (particles.is_hull(particle))
+            return hull(particles, particle);
+        Place const& p = particles.place[particle];
+        ball_.pose.place = {p.x, p.y, p.z};
+        ball_.rounding = ball_.ball = p.radius;
+        return ball_;
+    }
+    //! Length of the way that no point of a particle's hull has exceeded since the loop began; it only grows.
+    //! Without limit for balls [m].
+    double travelled(std::uint32_t particle) const { return travelled_[particle]; }
+
+  private:
+    grain::Hull point_ = grain::point_hull();
+    HullParty ball_{grain::CoreView(point_), {}, 0, 0};
+    std::vector<HullParty> hulls_;       //!< by body
+    std::vector<double> body_travelled_; //!< by body [m]
+    std::vector<double> travelled_;      //!< by particle [m]
+};
 
 } // namespace demens::dem

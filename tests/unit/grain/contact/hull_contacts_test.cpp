@@ -283,6 +283,48 @@ TEST(HullContacts, TheDeepestIsThatOfTheCores)
     EXPECT_GT(touching, 1000);
 }
 
+// What a pair keeps from step to step spares work and changes nothing: two hulls wander within reach.
+TEST(HullContacts, DoNotDependOnWhatIsKept)
+{
+    Numbers number;
+    Hull const hulls[] = {cube_hull(0.9), tetrahedron_hull(1), box_hull(1, 0.1, 0.1),
+                          convex_hull(spiral(12, 0.5), "a")};
+    constexpr double reach = 0.08, margin = 0.02, step = 0.001;
+    int compared = 0, searches = 0;
+    for (int k = 0; k < 300; ++k) {
+        Hull const &a = hulls[k % 4], &b = hulls[k / 4 % 4];
+        CorePose const of_a{{}, number.rotation()};
+        CorePose of_b{2 * number.direction(), k % 3 == 0 ? of_a.rotation : number.rotation()};
+        while (gap_of({a, 0, of_a}, {b, 0, of_b}).gap > 0.9 * reach)
+            of_b.place *= 0.98;
+        PairMemory memory;
+        FaceCandidates kept;
+        double moved = 0;
+        for (int turn = 0; turn < 60; ++turn) {
+            of_b.place += 0.5 * step * number.direction();
+            of_b.rotation = rotation_about(number.direction(), 0.5 * step) * of_b.rotation;
+            moved += step; // no point of it is farther than 1 from its place
+            if (moved >= margin)
+                kept.forget();
+            kept.is_new = false;
+            ContactSet set;
+            hull_contacts(pair_of({a, 0.05, of_a}, {b, 0.03, of_b}), 0.05, 0.03, memory, set, kept, margin);
+            if (kept.is_new)
+                moved = 0;
+            if (set.state != CoreState::near)
+                break;
+            ContactSet const anew = contacts_of({a, 0.05, of_a}, {b, 0.03, of_b});
+            Wrench const x = wrench_of(set), y = wrench_of(anew);
+            expect_near(x.force, y.force, 1e-10);
+            expect_near(x.torque, y.torque, 1e-10);
+            searches += kept.is_new;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 5000);
+    EXPECT_LT(searches, compared / 8);
+}
+
 TEST(HullContacts, OfOverlappingCoresKeepTheirNormalAndSaySo)
 {
     PairMemory memory;
