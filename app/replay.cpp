@@ -1,3 +1,4 @@
+#include "app/checkpoint.hpp"
 #include "app/command.hpp"
 #include "demens/base/error.hpp"
 #include "demens/observe/vtk_frames.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 struct ReplayOptions
 {
-    std::string file, frames;
+    std::string file, frames, checkpoints, from;
     int run = 0;
     double frame_interval = 0.02; //!< [s]
     bool check = false;
@@ -122,6 +123,20 @@ int replay(ReplayOptions const& options)
                 frames->write(snapshot);
         };
     }
+    Checkpoints const checkpoints(campaign, stored);
+    std::optional<rig::RunState> from;
+    if (!options.from.empty()) {
+        from = checkpoints.read(options.from);
+        hooks.from = &*from;
+    }
+    if (!options.checkpoints.empty())
+        hooks.on_stage = [&](rig::RunState const& state, std::string const& stage) {
+            if (is_first)
+                fmt::print("wrote {}\n", checkpoints.write(options.checkpoints, state, stage).string());
+        };
+    if ((hooks.from != nullptr || hooks.on_stage) && !experiment.rig->describe)
+        throw InputError(fmt::format("{}: runs of the rig {} have no stages to be kept", options.file,
+                                     experiment.rig->name));
     auto const result = ensemble::run_experiment(experiment, input, hooks);
     if (!is_first)
         return success;
@@ -147,6 +162,9 @@ void add_replay(CLI::App& program, Action& action)
         ->add_option("--frame-interval", options->frame_interval,
                      "simulated time between frames [s]; default 0.02")
         ->check(CLI::PositiveNumber);
+    command->add_option("--checkpoints", options->checkpoints,
+                        "folder for what a replay can begin with, written where each stage begins");
+    command->add_option("--from", options->from, "such a file of the same run, to begin there");
     command->add_flag("--check", options->check,
                       "exit with 1 unless the result equals the stored one bit for bit");
     command->callback([options, &action] { action = [options] { return replay(*options); }; });

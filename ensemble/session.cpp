@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::uintmax_t constexpr small_change = 1 << 20; //!< [bytes]
-
 //! Whether any rank is asked to stop. Collective.
 bool is_stop_requested(MPI_Comm communicator)
 {

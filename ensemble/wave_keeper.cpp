@@ -15,8 +15,6 @@
 namespace demens::ensemble {
 namespace {
 
-std::uintmax_t constexpr small_change = 1 << 20; //!< [bytes] of tables without particles
-
 //! [s] When the last run of a complete wave ended, since the wave began or, if it was planned ahead, the
 //! first of those that overlap.
 double end_of(Wave const& wave)

@@ -1,5 +1,6 @@
 #include "report/analysis.hpp"
 
+#include "demens/base/not_a_number.hpp"
 #include "ensemble/verdict.hpp"
 
 #include <algorithm>
@@ -28,8 +29,6 @@ json nested(ensemble::NamedArray const& array, std::size_t dimension, std::size_
     return list;
 }
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 //! By factor, what the targets tell of it; null before it is judged.
 json verdict_texts(Analysis const& analysis)
 {
@@ -52,7 +51,8 @@ json supported(Analysis const& analysis, stored::ArrayName const& name)
         return values;
     for (std::size_t k = 0; k < std::min(values.size(), verdicts->data.size()); ++k)
         if (!has_interval(static_cast<ensemble::Verdict>(verdicts->data[k])))
-            values[k] = values[k].is_array() ? json(std::vector<double>(values[k].size(), none)) : json(none);
+            values[k] = values[k].is_array() ? json(std::vector<double>(values[k].size(), not_a_number))
+                                             : json(not_a_number);
     return values;
 }
 

@@ -81,7 +81,7 @@ std::string factors_of(ensemble::Campaign const& campaign, Analysis const& analy
     return csv;
 }
 
-std::string columns_of(rig::Series const& series)
+std::string csv_of(rig::Series const& series)
 {
     std::string csv;
     for (std::size_t k = 0; k < series.names.size(); ++k)
@@ -112,9 +112,9 @@ std::vector<fs::path> export_campaign(fs::path const& file, fs::path const& fold
             continue;
         auto const details = ensemble::read_run_details(file, run->run);
         if (details.series.rows() > 0)
-            out.write(fmt::format("series.{}.csv", name), columns_of(details.series));
+            out.write(fmt::format("series.{}.csv", name), csv_of(details.series));
         for (auto const& profile : details.profiles)
-            out.write(fmt::format("profile.{}.{}.csv", name, profile.name), columns_of(profile.curve));
+            out.write(fmt::format("profile.{}.{}.csv", name, profile.name), csv_of(profile.curve));
     }
     out.write("factors.csv", factors_of(campaign, analysis));
     if (best) {

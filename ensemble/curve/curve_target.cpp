@@ -1,15 +1,14 @@
 #include "ensemble/curve/curve_target.hpp"
 
+#include "demens/base/not_a_number.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 namespace demens::ensemble {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 double value_at(CurveTarget const& target, MeasuredCurve const& simulated, double place)
 {
@@ -33,7 +32,7 @@ double misfit(CurveTarget const& target, MeasuredCurve const& simulated, std::ve
             sum += window.weight * shares[k] * deviation * deviation;
             all += window.weight * shares[k];
         }
-    return all > 0 ? sum / all : unknown;
+    return all > 0 ? sum / all : not_a_number;
 }
 
 } // namespace

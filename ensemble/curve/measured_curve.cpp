@@ -1,21 +1,19 @@
 #include "ensemble/curve/measured_curve.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/base/not_a_number.hpp"
 #include "demens/base/text/csv.hpp"
 #include "ensemble/curve/units.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include <fmt/format.h>
 
 namespace demens::ensemble {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 //! Column of a table in the unit that is wanted [rows].
 std::vector<double> numbers_in(text::CsvTable const& table, std::string const& column,
@@ -94,7 +92,7 @@ std::vector<double> MeasuredCurve::shares() const
 double MeasuredCurve::at(double place) const
 {
     if (axis.empty() || !(place >= axis.front() && place <= axis.back()))
-        return unknown;
+        return not_a_number;
     auto const next = std::upper_bound(axis.begin(), axis.end(), place);
     if (next == axis.end())
         return values.back();
@@ -125,7 +123,7 @@ CurveScatter scatter_of(MeasuredCurve const& curve)
     constexpr std::size_t least_in_piece = 12, most_pieces = 8, parameters = 3;
     std::size_t const n = curve.size(), pieces = std::min(most_pieces, n / least_in_piece);
     if (pieces == 0)
-        return {unknown, static_cast<double>(n)};
+        return {not_a_number, static_cast<double>(n)};
     double squares = 0, products = 0;
     for (std::size_t piece = 0; piece < pieces; ++piece) {
         std::size_t const from = piece * n / pieces, to = (piece + 1) * n / pieces;

@@ -49,6 +49,9 @@ class FileUpdate
     bool committed_ = false;
 };
 
+//! Room for a change of tables without particles [bytes].
+inline constexpr std::uintmax_t small_change = 1 << 20;
+
 //! Makes one change by one process. \throws FileError
 void update_file(std::filesystem::path const& file, std::uintmax_t more_bytes,
                  std::function<void(hid_t)> const& change);

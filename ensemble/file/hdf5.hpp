@@ -133,6 +133,10 @@ struct Meaning
     std::vector<std::string> columns = {}; //!< names of the columns of a table
     std::string doc = {};                  //!< one line
 };
+inline Meaning dimensionless(std::string doc)
+{
+    return {{"1"}, {}, std::move(doc)};
+}
 
 bool exists(hid_t at, std::string const& path);
 //! Names of the links in a group, sorted.

@@ -23,11 +23,6 @@ std::string snapshots_path(int wave)
     return fmt::format("/snapshots/{:04}/", wave);
 }
 
-hdf5::Meaning number(std::string doc)
-{
-    return {{"1"}, {}, std::move(doc)};
-}
-
 //! Curves of one kind of all runs, e.g. their time series, to be stored below a path.
 struct Curves
 {
@@ -71,9 +66,9 @@ void write_curves(RowWriter& writer, Curves const& curves)
         writer.write(curves.path + "values", values, meaning, labels.size());
     }
     writer.write(curves.path + "first_sample", first,
-                 number("first row in values, one entry per run of the wave"));
+                 hdf5::dimensionless("first row in values, one entry per run of the wave"));
     writer.write(curves.path + "samples", count,
-                 number("number of rows in values, one entry per run of the wave"));
+                 hdf5::dimensionless("number of rows in values, one entry per run of the wave"));
 }
 
 //! Series and profiles of all runs of one experiment.
@@ -209,15 +204,15 @@ void write_details(RowWriter& writer, int wave, std::vector<RunRecord> const& ru
     writer.write(base + "walls", walls, {{"m"}, {"x0", "y0", "z0", "x1", "y1", "z1"}, "wall outlines"}, 6);
     writer.write(base + "lines", lines,
                  {{"m"}, {"x0", "y0", "z0", "x1", "y1", "z1"}, "rims and creases of walls"}, 6);
-    writer.write(base + "run", run, number("run, one entry per snapshot"));
+    writer.write(base + "run", run, hdf5::dimensionless("run, one entry per snapshot"));
     writer.write_texts(base + "name", name, "landmark, one entry per snapshot");
     writer.write(base + "time", time, {{"s"}, {}, "simulated time, one entry per snapshot"});
-    writer.write(base + "first_particle", first_particle, number("first row in particles"));
-    writer.write(base + "particle_count", particle_count, number("number of rows in particles"));
-    writer.write(base + "first_wall", first_wall, number("first row in walls"));
-    writer.write(base + "wall_count", wall_count, number("number of rows in walls"));
-    writer.write(base + "first_line", first_line, number("first row in lines"));
-    writer.write(base + "line_count", line_count, number("number of rows in lines"));
+    writer.write(base + "first_particle", first_particle, hdf5::dimensionless("first row in particles"));
+    writer.write(base + "particle_count", particle_count, hdf5::dimensionless("number of rows in particles"));
+    writer.write(base + "first_wall", first_wall, hdf5::dimensionless("first row in walls"));
+    writer.write(base + "wall_count", wall_count, hdf5::dimensionless("number of rows in walls"));
+    writer.write(base + "first_line", first_line, hdf5::dimensionless("first row in lines"));
+    writer.write(base + "line_count", line_count, hdf5::dimensionless("number of rows in lines"));
 }
 
 RunDetails read_details(hid_t file, int wave, std::size_t row, std::string const& experiment)

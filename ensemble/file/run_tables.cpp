@@ -76,10 +76,6 @@ void read_columns(hid_t file, std::string const& table, Columns const& columns, 
     std::apply([&](auto const&... column) { (read_column(file, table, column, runs), ...); }, columns);
 }
 
-hdf5::Meaning number(std::string doc)
-{
-    return {{"1"}, {}, std::move(doc)};
-}
 std::string responses_path(int wave, Experiment const& experiment)
 {
     return wave_path(wave) + "/responses/" + experiment.name;
@@ -321,7 +317,7 @@ void write_results(RowWriter& writer, Wave const& wave, CampaignInput const& inp
         status.push_back(static_cast<int>(run.status));
         reason.push_back(run.reason);
     }
-    writer.write(table + "status", status, number(names));
+    writer.write(table + "status", status, hdf5::dimensionless(names));
     writer.write_texts(table + "reason", reason, "why it did not finish");
     write_columns(writer, table, result_columns, runs);
     write_energy(writer, table + "energy", runs);

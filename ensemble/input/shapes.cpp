@@ -81,11 +81,12 @@ grain::ShareOf read_share_of(InputTable const& table)
 grain::ShapeMixture make_mixture(SizeTable const& table, std::vector<ShapeTable> const& shapes)
 {
     grain::ShapeMixture mixture{{}, {}, table.share_of};
-    for (auto const& [name, share] : table.shapes) {
+    for (auto const& part : table.shapes) {
+        std::string const& name = part.name;
         auto const found =
             std::find_if(shapes.begin(), shapes.end(), [&](auto const& s) { return s.name == name; });
         mixture.shapes.push_back(found == shapes.end() ? grain::GrainShape{name, nullptr, 1} : found->shape);
-        mixture.shares.push_back(share);
+        mixture.shares.push_back(part.share);
     }
     return mixture;
 }

@@ -32,11 +32,6 @@ namespace fs = std::filesystem;
 
 int constexpr reasons_read = 20; //!< of failed runs of a wave in progress, which lie in a file each
 
-double now()
-{
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
 //! When the session that holds the lock began [s since 1970].
 double session_begin(fs::path const& campaign_file)
 {
@@ -95,7 +90,7 @@ class Reader
         Parts const parts(file_);
         auto const histories = read_journals(parts.folder());
         auto const expected = expected_times(campaign_, wave, finished_times(histories));
-        double const begun_after = session_begin(file_) - 1, time = now();
+        double const begun_after = session_begin(file_) - 1, time = seconds_since_epoch();
         for (std::size_t row = 0; row < wave.runs.size(); ++row) {
             auto const& plan = wave.runs[row];
             auto const found = histories.find(plan.run);

@@ -12,6 +12,12 @@
 #include <sstream>
 
 namespace demens::ensemble {
+
+double seconds_since_epoch()
+{
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -19,11 +25,6 @@ namespace fs = std::filesystem;
 std::string line_of(std::string const& text)
 {
     return fmt::format("{:08x} {}\n", crc32_of(text), text);
-}
-
-double now()
-{
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 struct Entry
@@ -137,7 +138,7 @@ Journal::Journal(fs::path const& folder, std::string const& writer) : path_(fold
     if (size > 0 && ::pread(file_.get(), &last, 1, size - 1) == 1 && last != '\n' &&
         ::write(file_.get(), "\n", 1) != 1)
         throw system_error("write", path_, errno);
-    append(fmt::format("BEGIN 0 {:.3f}", now()));
+    append(fmt::format("BEGIN 0 {:.3f}", seconds_since_epoch()));
 }
 
 void Journal::append(std::string const& text)
@@ -156,7 +157,8 @@ void Journal::append(std::string const& text)
 
 void Journal::start(int run, Company company)
 {
-    append(fmt::format("{} {} {:.3f}", company == Company::alone ? "ALONE" : "START", run, now()));
+    append(fmt::format("{} {} {:.3f}", company == Company::alone ? "ALONE" : "START", run,
+                       seconds_since_epoch()));
 }
 
 void Journal::end(int run, std::uint32_t shard_crc, int status, double seconds)

@@ -11,15 +11,18 @@
 
 namespace demens::ensemble {
 
+//! Now, by the clock of the wall [s since 1970], as journals tell times.
+double seconds_since_epoch();
+
 //! What one process writes down of the runs it begins and ends, a line each, on the disk before it goes on:
 //!
-//!     <CRC of the rest> BEGIN 0 1732243967.456     the process begins: what was in progress before has died
-//!     <CRC of the rest> START 17 1732243968.123    begun, other runs beside it, maybe of this process too
-//!     <CRC of the rest> ALONE 17 1732243968.123    begun with nothing beside it
-//!     <CRC of the rest> END 17 <CRC of the shard> <status> 12.3  complete, the shard is on the disk; how
-//!     long it took [s] <CRC of the rest> DRAIN 17                   given up on request; begin it again <CRC
-//!     of the rest> STOP 17                    the process was asked to end (SIGTERM, SIGINT) meanwhile <CRC
-//!     of the rest> CRASH 17 <signal>          the process received a deadly signal while it simulated
+//!     <CRC of the rest> BEGIN 0 1732243967.456        begins: what was in progress before has died
+//!     <CRC of the rest> START 17 1732243968.123       begun, other runs beside it
+//!     <CRC of the rest> ALONE 17 1732243968.123       begun with nothing beside it
+//!     <CRC of the rest> END 17 <CRC> <status> 12.3    the shard of this CRC is on the disk; time [s]
+//!     <CRC of the rest> DRAIN 17                      given up on request; begin it again
+//!     <CRC of the rest> STOP 17                       asked to end (SIGTERM, SIGINT) meanwhile
+//!     <CRC of the rest> CRASH 17 <signal>             received a deadly signal while it simulated
 //!
 //! A line whose CRC is wrong, e.g. one cut off by a kill, is as if it were not there.
 class Journal

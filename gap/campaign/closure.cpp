@@ -1,13 +1,13 @@
 #include "gap/campaign/closure.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/base/not_a_number.hpp"
 #include "gap/campaign/unfitted_runs.hpp"
 #include "gap/statistics/decoys.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace demens::gap {
 namespace {
@@ -16,8 +16,6 @@ using Eigen::VectorXd;
 
 constexpr int random_decoys = 19;
 constexpr std::uint64_t decoy_seed = 190119;
-constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
 std::vector<Cell> stacked_cells(Diagnosis const& diagnosis, Evidence const& held_out)
 {
     auto cells = diagnosis.evidence().cells;
@@ -91,7 +89,7 @@ void fill(CampaignClosure& all, ensemble::Campaign const& campaign, Diagnosis co
             runs.packings(*point),
             estimation_covariance(fitted, diagnosis.projection(), evidence, {effect}, {on_held_out})};
         all.effects.push_back(
-            {k, point->amplitude, quantify(here, before, after), not_known, 0, not_known, {}});
+            {k, point->amplitude, quantify(here, before, after), not_a_number, 0, not_a_number, {}});
     }
     for (std::size_t e = 0; e < all.effects.size(); ++e)
         if (!all.effects[e].closure.at_floor) {
@@ -104,7 +102,7 @@ void fill(CampaignClosure& all, ensemble::Campaign const& campaign, Diagnosis co
 
 std::vector<double> CampaignClosure::decoy_p(std::size_t count) const
 {
-    std::vector<double> p(count, not_known);
+    std::vector<double> p(count, not_a_number);
     for (auto const& effect : effects)
         p[static_cast<std::size_t>(effect.effect)] = effect.decoy_p;
     return p;

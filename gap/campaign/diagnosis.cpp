@@ -18,7 +18,7 @@ std::vector<CellGroup> named_groups(std::vector<Cell> const& cells, ensemble::Ca
     return groups;
 }
 
-AttributeOptions options_of(ensemble::CampaignInput const& input)
+AttributeOptions attribute_options(ensemble::CampaignInput const& input)
 {
     AttributeOptions options;
     options.named_at = input.gap.value_or(ensemble::GapOptions{}).named_from;
@@ -33,7 +33,7 @@ Diagnosis::Diagnosis(ensemble::Campaign const& campaign, Centre centre)
       groups_(named_groups(campaign_.evidence.cells, campaign.input)),
       locator_(campaign_.evidence, projection_, groups_),
       hypotheses_(campaign_.evidence, projection_, campaign_.signatures),
-      attributor_(campaign_.evidence, projection_, locator_, hypotheses_, options_of(campaign.input)),
+      attributor_(campaign_.evidence, projection_, locator_, hypotheses_, attribute_options(campaign.input)),
       located_(locator_.locate(campaign_.evidence.residual())),
       attribution_(attributor_.attribute(campaign_.evidence.residual()))
 {

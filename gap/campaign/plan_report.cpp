@@ -3,6 +3,7 @@
 #include "gap/campaign/candidate_experiments.hpp"
 #include "gap/campaign/diagnosis.hpp"
 #include "gap/campaign/next_wave.hpp"
+#include "gap/campaign/percent.hpp"
 #include "gap/statistics/rehearse.hpp"
 
 #include <cmath>
@@ -26,11 +27,6 @@ std::string name_of(RehearsedRow const& row, Diagnosis const& found)
     return row.effect >= 0    ? found.effects()[static_cast<std::size_t>(row.effect)].name
            : row.effect == -1 ? "none"
                               : "outside the list";
-}
-
-std::string percent(double share)
-{
-    return fmt::format("{:.0f} %", 100 * share);
 }
 
 //! What twins of each cause are taken for.

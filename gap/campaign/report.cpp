@@ -5,6 +5,7 @@
 #include "gap/campaign/candidate_experiments.hpp"
 #include "gap/campaign/closure.hpp"
 #include "gap/campaign/next_wave.hpp"
+#include "gap/campaign/percent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -120,11 +121,6 @@ void write_which(std::string& text, Diagnosis const& found, Attribution const& a
             fmt::format_to(to, "  {:<44} amplitude {:.3g} +- {:.2g} ({}); recalibration hides {:.0f} %\n",
                            found.effects()[k].name, effect.amplitude, effect.deviation,
                            found.campaign().candidates[k].amplitude, 100 * effect.absorbed_share);
-}
-
-std::string percent(double share)
-{
-    return fmt::format("{:.0f} %", 100 * share);
 }
 
 std::vector<Cell> cells_alone(std::vector<CampaignCell> const& cells)

@@ -1,6 +1,7 @@
 #include "gap/statistics/locate.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/base/not_a_number.hpp"
 #include "gap/statistics/gaussian.hpp"
 #include "gap/statistics/multiple_testing.hpp"
 #include "gap/statistics/refit.hpp"
@@ -12,12 +13,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace demens::gap {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 GroupTest group_test(CellGroup group, Eigen::MatrixXd const& covariance, Eigen::MatrixXd const& floor,
                      double least_left)

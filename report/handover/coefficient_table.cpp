@@ -9,19 +9,14 @@ namespace {
 
 using contact::PairProperties;
 
-std::string text(double value)
-{
-    return fmt::format("{}", value);
-}
-
 Counterpart same(std::string name, double value, std::string note = {})
 {
-    return {Match::same, std::move(name), text(value), std::move(note)};
+    return {Match::same, std::move(name), fmt::to_string(value), std::move(note)};
 }
 
 Counterpart nearest(std::string name, double value, std::string note)
 {
-    return {Match::nearest, std::move(name), text(value), std::move(note)};
+    return {Match::nearest, std::move(name), fmt::to_string(value), std::move(note)};
 }
 
 Counterpart none(std::string note = {})
@@ -72,7 +67,8 @@ Counterpart kinetic_friction(Code code, PairProperties const& pair)
     if (code == Code::rocky)
         return same("Dynamic friction", pair.kinetic_friction);
     if (pair.kinetic_friction == pair.static_friction)
-        return {Match::same, friction(code, 0).name, text(pair.kinetic_friction), "one coefficient for both"};
+        return {Match::same, friction(code, 0).name, fmt::to_string(pair.kinetic_friction),
+                "one coefficient for both"};
     return none("it has one coefficient of friction; the static one is written");
 }
 

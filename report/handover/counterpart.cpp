@@ -8,11 +8,6 @@ namespace {
 
 using contact::PairProperties;
 
-std::string text(double value)
-{
-    return fmt::format("{}", value);
-}
-
 template <class Law, class Words>
 std::string word_in(Words const& words, Law law)
 {
@@ -30,7 +25,7 @@ Counterpart of_material(Code code, char const* key, double value)
          "Poisson's ratio"}};
     std::string const name = key;
     std::size_t const row = name == "density" ? 0 : name == "youngs_modulus" ? 1 : 2;
-    return {Match::same, names[row][static_cast<std::size_t>(code)], text(value)};
+    return {Match::same, names[row][static_cast<std::size_t>(code)], fmt::to_string(value)};
 }
 
 struct Coefficient
@@ -52,34 +47,39 @@ std::vector<Coefficient> coefficients_of(PairProperties const& pair)
                          pair.cohesion == CohesionLaw::jkr,
                bridge = pair.cohesion == CohesionLaw::capillary;
     std::vector<Coefficient> all = {
-        {"restitution", text(pair.restitution), true},
-        {"static_friction", text(pair.static_friction), slides},
-        {"kinetic_friction", text(pair.kinetic_friction), slides},
-        {"rolling_friction", text(pair.rolling_friction), rolls && pair.rolling != RollingLaw::viscous},
-        {"rolling_viscosity", text(pair.rolling_viscosity), pair.rolling == RollingLaw::viscous},
-        {"rolling_damping", text(pair.rolling_damping), pair.rolling == RollingLaw::epsd},
-        {"tangential_stiffness_ratio", text(pair.tangential_stiffness_ratio),
+        {"restitution", fmt::to_string(pair.restitution), true},
+        {"static_friction", fmt::to_string(pair.static_friction), slides},
+        {"kinetic_friction", fmt::to_string(pair.kinetic_friction), slides},
+        {"rolling_friction", fmt::to_string(pair.rolling_friction),
+         rolls && pair.rolling != RollingLaw::viscous},
+        {"rolling_viscosity", fmt::to_string(pair.rolling_viscosity), pair.rolling == RollingLaw::viscous},
+        {"rolling_damping", fmt::to_string(pair.rolling_damping), pair.rolling == RollingLaw::epsd},
+        {"tangential_stiffness_ratio", fmt::to_string(pair.tangential_stiffness_ratio),
          pair.tangential == TangentialLaw::linear_coulomb},
-        {"minimum_unloading_fraction", text(pair.minimum_unloading_fraction), !hertz},
+        {"minimum_unloading_fraction", fmt::to_string(pair.minimum_unloading_fraction), !hertz},
         {"allow_attraction", pair.allow_attraction ? "true" : "false", hertz},
-        {"cohesion_energy_density", text(pair.cohesion_energy_density), area},
-        {"surface_energy", text(pair.surface_energy), surface},
-        {"hamaker_constant", text(pair.hamaker_constant), pair.cohesion == CohesionLaw::van_der_waals},
-        {"surface_tension", text(pair.surface_tension), bridge},
-        {"bridge_volume", text(pair.bridge_volume), bridge},
-        {"contact_angle_deg", text(pair.contact_angle_deg), bridge},
-        {"friction_weakening", text(pair.friction_weakening), pair.friction_weakening != 0},
-        {"friction_weakening_speed", text(pair.friction_weakening_speed), pair.friction_weakening != 0},
-        {"viscoelastic_time", text(pair.viscoelastic_time), pair.viscoelastic_time != 0},
-        {"friction_drift_per_s", text(pair.friction_drift), pair.friction_drift != 0},
-        {"cohesion_drift_per_s", text(pair.cohesion_drift), pair.cohesion_drift != 0},
-        {"added_energy_density", text(pair.added_energy_density), pair.added_energy_density != 0},
-        {"added_surface_energy", text(pair.added_surface_energy), pair.added_surface_energy != 0},
-        {"added_surface_gap", text(pair.added_surface_gap), pair.added_surface_energy != 0},
-        {"added_surface_tension", text(pair.added_surface_tension), pair.added_surface_tension != 0},
-        {"added_bridge_volume", text(pair.added_bridge_volume), pair.added_surface_tension != 0},
-        {"added_charge_pressure", text(pair.added_charge_pressure), pair.added_charge_pressure != 0},
-        {"added_charge_reach", text(pair.added_charge_reach), pair.added_charge_pressure != 0},
+        {"cohesion_energy_density", fmt::to_string(pair.cohesion_energy_density), area},
+        {"surface_energy", fmt::to_string(pair.surface_energy), surface},
+        {"hamaker_constant", fmt::to_string(pair.hamaker_constant),
+         pair.cohesion == CohesionLaw::van_der_waals},
+        {"surface_tension", fmt::to_string(pair.surface_tension), bridge},
+        {"bridge_volume", fmt::to_string(pair.bridge_volume), bridge},
+        {"contact_angle_deg", fmt::to_string(pair.contact_angle_deg), bridge},
+        {"friction_weakening", fmt::to_string(pair.friction_weakening), pair.friction_weakening != 0},
+        {"friction_weakening_speed", fmt::to_string(pair.friction_weakening_speed),
+         pair.friction_weakening != 0},
+        {"viscoelastic_time", fmt::to_string(pair.viscoelastic_time), pair.viscoelastic_time != 0},
+        {"friction_drift_per_s", fmt::to_string(pair.friction_drift), pair.friction_drift != 0},
+        {"cohesion_drift_per_s", fmt::to_string(pair.cohesion_drift), pair.cohesion_drift != 0},
+        {"added_energy_density", fmt::to_string(pair.added_energy_density), pair.added_energy_density != 0},
+        {"added_surface_energy", fmt::to_string(pair.added_surface_energy), pair.added_surface_energy != 0},
+        {"added_surface_gap", fmt::to_string(pair.added_surface_gap), pair.added_surface_energy != 0},
+        {"added_surface_tension", fmt::to_string(pair.added_surface_tension),
+         pair.added_surface_tension != 0},
+        {"added_bridge_volume", fmt::to_string(pair.added_bridge_volume), pair.added_surface_tension != 0},
+        {"added_charge_pressure", fmt::to_string(pair.added_charge_pressure),
+         pair.added_charge_pressure != 0},
+        {"added_charge_reach", fmt::to_string(pair.added_charge_reach), pair.added_charge_pressure != 0},
         {"friction_limit", pair.friction_limit == FrictionLimit::whole ? "whole" : "elastic",
          hertz && slides},
         {"cohesion_in_limit", pair.cohesion_in_limit ? "true" : "false", pair.cohesion != CohesionLaw::none}};
@@ -123,7 +123,7 @@ std::vector<MappedItem> mapped(Code code, contact::Model const& model)
     std::vector<MappedItem> items;
     for (auto const& material : model.materials) {
         auto const add = [&](char const* key, double value) {
-            items.push_back({fmt::format("material.{}.{}", material.name, key), text(value),
+            items.push_back({fmt::format("material.{}.{}", material.name, key), fmt::to_string(value),
                              of_material(code, key, value)});
         };
         add("density", material.density);

@@ -1,19 +1,18 @@
 #include "demens/observe/surface.hpp"
 
+#include "demens/base/not_a_number.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 
 namespace demens::observe {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 SurfaceProfile surface_profile(std::span<dem::Place const> places, double from_x, double to_x, int points,
                                std::function<bool(dem::Place const&)> const& select)
 {
-    SurfaceProfile profile{{}, std::vector<double>(static_cast<std::size_t>(points), none)};
+    SurfaceProfile profile{{}, std::vector<double>(static_cast<std::size_t>(points), not_a_number)};
     double const step = (to_x - from_x) / points;
     for (int k = 0; k < points; ++k)
         profile.x.push_back(from_x + (k + 0.5) * step);

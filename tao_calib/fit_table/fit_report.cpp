@@ -1,11 +1,11 @@
 #include "tao_calib/fit_table/fit_report.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/base/not_a_number.hpp"
 #include "tao_calib/regression/distributions.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace demens::tao_calib {
 namespace {
@@ -13,14 +13,12 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 //! Standard errors that an interval reaches to both sides; NaN where nothing is known of the scatter.
 double reach(TableFit const& fit, Regression const& regression)
 {
     return regression.scatter() == Scatter::known
                ? student_t_quantile(fit.input().confidence, regression.residual_degrees_of_freedom())
-               : nan;
+               : not_a_number;
 }
 
 Interval about(double value, double half)
@@ -87,7 +85,8 @@ ResponseReport report_of(TableFit const& fit, std::size_t response)
     }
     for (auto const& c : in_own_units(regression, fit.space().codings())) {
         double const error = no_scatter ? 0 : c.standard_error;
-        report.own_units.push_back({c.term, c.value, error, nan, nan, about(c.value, t * error), nan});
+        report.own_units.push_back(
+            {c.term, c.value, error, not_a_number, not_a_number, about(c.value, t * error), not_a_number});
     }
     for (auto const& [term, p] : fit.fits()[response].reduced->eliminated)
         report.left_out.emplace_back(term.name(names), p);
@@ -104,7 +103,7 @@ ResponseReport report_of(TableFit const& fit, std::size_t response)
 Prediction prediction_at(TableFit const& fit, std::size_t response, VectorXd const& values)
 {
     if (!fit.fits()[response].reduced)
-        return {nan, {nan, nan}, {nan, nan}};
+        return {not_a_number, {not_a_number, not_a_number}, {not_a_number, not_a_number}};
     return predict(fit, fit.fits()[response].regression(), fit.space().coded(values));
 }
 

@@ -1,11 +1,11 @@
 #include "tao_calib/regression/analysis.hpp"
 
+#include "demens/base/not_a_number.hpp"
 #include "tao_calib/regression/distributions.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace demens::tao_calib {
 namespace {
@@ -14,12 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 AnovaRow untested(std::string source, double sum_of_squares, int degrees)
 {
-    return {
-        std::move(source), sum_of_squares, degrees, degrees > 0 ? sum_of_squares / degrees : nan, nan, nan};
+    return {std::move(source), sum_of_squares, degrees, degrees > 0 ? sum_of_squares / degrees : not_a_number,
+            not_a_number,      not_a_number};
 }
 
 //! F and p stay undefined where nothing scatters or no degree of freedom tells.
@@ -134,7 +132,7 @@ VectorXd variance_inflation(Regression const& regression)
         if (regression.data().weights.size() > 0)
             squares *= regression.data().weights.array();
         factors[t] = regression.coefficients()[t].term.degree() == 0
-                         ? nan
+                         ? not_a_number
                          : squares.sum() * regression.inverse_root().row(t).squaredNorm();
     }
     return factors;

@@ -1,6 +1,7 @@
 #include "tao_calib/regression/regression.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/base/not_a_number.hpp"
 #include "tao_calib/regression/distributions.hpp"
 
 #include <Eigen/QR>
@@ -17,7 +18,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 //! Share of a column that earlier columns do not explain, below which it is theirs.
 constexpr double dependent = 1e-9;
 
@@ -125,7 +125,8 @@ Regression::Regression(RegressionData data, std::vector<Term> terms) : data_(std
     constexpr double roundings = 100 * std::numeric_limits<double>::epsilon();
     rounding_ = (rows.cwiseAbs() * solution.cwiseAbs()).squaredNorm() * roundings * roundings;
     for (std::size_t t = 0; t < terms.size(); ++t)
-        coefficients_.push_back({std::move(terms[t]), solution[static_cast<Index>(t)], nan, nan, nan});
+        coefficients_.push_back(
+            {std::move(terms[t]), solution[static_cast<Index>(t)], not_a_number, not_a_number, not_a_number});
     if (residual_degrees_of_freedom() < 1)
         scatter_ = Scatter::saturated;
     else if (residual_sum_of_squares() <= rounding_)
@@ -174,7 +175,7 @@ double Regression::total_sum_of_squares() const
 double Regression::residual_standard_deviation() const
 {
     int const degrees = residual_degrees_of_freedom();
-    return degrees < 1 ? nan : std::sqrt(residual_sum_of_squares() / degrees);
+    return degrees < 1 ? not_a_number : std::sqrt(residual_sum_of_squares() / degrees);
 }
 
 double Regression::r_squared() const
@@ -186,7 +187,7 @@ double Regression::adjusted_r_squared() const
 {
     int const degrees = residual_degrees_of_freedom();
     if (degrees < 1)
-        return nan;
+        return not_a_number;
     return 1 - (residual_sum_of_squares() / degrees) / (total_sum_of_squares() / (runs() - 1));
 }
 
@@ -201,7 +202,7 @@ std::optional<int> Regression::run_of_leverage_one() const
 double Regression::prediction_sum_of_squares() const
 {
     if (run_of_leverage_one())
-        return nan;
+        return not_a_number;
     return weighted_squares(residuals().array() / (1 - leverages_.array()));
 }
 

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 constexpr double failed_value = 1e20; // in place of a sum that is no number
 
-struct Context
+struct QuasiNewtonRun
 {
     LeastSquaresProblem const& problem;
     LeastSquaresResult best{};
@@ -38,7 +38,7 @@ struct Context
 
 PetscErrorCode objective_and_gradient(Tao, Vec point, PetscReal* value, Vec gradient, void* pointer)
 {
-    auto& context = *static_cast<Context*>(pointer);
+    auto& context = *static_cast<QuasiNewtonRun*>(pointer);
     PetscFunctionBeginUser;
     PetscScalar const* in = nullptr;
     PetscScalar* out = nullptr;
@@ -58,7 +58,7 @@ PetscErrorCode objective_and_gradient(Tao, Vec point, PetscReal* value, Vec grad
     PetscFunctionReturn(0);
 }
 
-PetscErrorCode solve(Context& context, VectorXd const& start, LeastSquaresSettings const& settings,
+PetscErrorCode solve(QuasiNewtonRun& context, VectorXd const& start, LeastSquaresSettings const& settings,
                      TaoConvergedReason& reason)
 {
     PetscFunctionBeginUser;
@@ -110,7 +110,7 @@ VectorXd sum_of_squares_gradient(LeastSquaresProblem const& problem, VectorXd co
 LeastSquaresResult QuasiNewton::minimise(LeastSquaresProblem const& problem, VectorXd const& start,
                                          LeastSquaresSettings const& settings) const
 {
-    Context context{problem};
+    QuasiNewtonRun context{problem};
     TaoConvergedReason reason = TAO_CONTINUE_ITERATING;
     PetscErrorCode const code = solve(context, start.cwiseMax(0).cwiseMin(1), settings, reason);
     if (context.exception)

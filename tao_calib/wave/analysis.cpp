@@ -1,9 +1,9 @@
 #include "tao_calib/wave/analysis.hpp"
 
+#include "demens/base/not_a_number.hpp"
 #include "tao_calib/wave/analysis_arrays.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace demens::tao_calib {
@@ -15,8 +15,6 @@ using ensemble::NamedArray;
 namespace stored = ensemble::stored;
 
 constexpr int slice_points = 41;
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 void add_surrogates(Arrays& arrays, Assessment const& assessment)
 {
     int const m = assessment.objective().size();
@@ -123,11 +121,11 @@ class BestSoFar
     {
         Location const& changed = known_.add(run);
         auto const number = &changed - known_.all().data();
-        double const value = changed.complete() ? objective_.value(changed.responses) : unknown;
+        double const value = changed.complete() ? objective_.value(changed.responses) : not_a_number;
         if (number == best_ && !(value <= least_)) { // a repetition has made the best one worse
             auto const* best = known_.best();
             best_ = best ? best - known_.all().data() : -1;
-            least_ = best ? objective_.value(best->responses) : unknown;
+            least_ = best ? objective_.value(best->responses) : not_a_number;
         } else if (changed.complete() && (best_ < 0 || value < least_ || (value == least_ && number < best_)))
             best_ = number, least_ = value;
         return best_ < 0 ? nullptr : &known_.all()[static_cast<std::size_t>(best_)];
@@ -137,7 +135,7 @@ class BestSoFar
     Objective const& objective_;
     Locations known_;
     std::ptrdiff_t best_ = -1; //!< number of the location
-    double least_ = unknown;
+    double least_ = not_a_number;
 };
 
 //! WMSE of each design point by itself, NaN where a target has no value.
@@ -150,7 +148,7 @@ VectorXd point_errors(ensemble::Campaign const& campaign, Objective const& objec
                 points.emplace_back(objective, cube);
             points[run.point].add(run);
         }
-    VectorXd errors = VectorXd::Constant(static_cast<Eigen::Index>(points.size()), unknown);
+    VectorXd errors = VectorXd::Constant(static_cast<Eigen::Index>(points.size()), not_a_number);
     for (std::size_t p = 0; p < points.size(); ++p)
         if (auto const* location = points[p].best())
             errors[static_cast<Eigen::Index>(p)] = objective.wmse(location->responses);
@@ -165,7 +163,7 @@ void add_history(Arrays& arrays, ensemble::Campaign const& campaign, Assessment 
     for (auto const& wave : campaign.waves)
         for (auto const& run : wave.runs) {
             auto const* best = best_so_far.add(run);
-            errors.push_back(best ? objective.wmse(best->responses) : unknown);
+            errors.push_back(best ? objective.wmse(best->responses) : not_a_number);
         }
     arrays.vector(stored::history::wmse,
                   Eigen::Map<VectorXd const>(errors.data(), static_cast<Eigen::Index>(errors.size())));

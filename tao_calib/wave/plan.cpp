@@ -64,11 +64,13 @@ struct Budget
     bool time_is_up; //!< of the wall time
 };
 
-//! Design points kept back for the confirmation, once for the best location and once for the one that may
-//! follow it.
+//! For so many locations repetitions are kept back: the best one, and the one that may follow it.
+constexpr std::size_t locations_kept_for = 2;
+
+//! Design points kept back for the confirmation.
 int reserve(Campaign const& campaign)
 {
-    return 2 * campaign.input.stop.confirmation;
+    return static_cast<int>(locations_kept_for) * campaign.input.stop.confirmation;
 }
 
 std::uint64_t wave_seed(Campaign const& campaign)
@@ -218,21 +220,28 @@ std::optional<std::string> search_exhausted(Campaign const& campaign, Assessment
     return std::nullopt;
 }
 
-bool is_confirmed(Campaign const& campaign, Location const& best)
+//! Repetitions that the location lacks to be confirmed.
+int missing_repetitions(Campaign const& campaign, Location const& location)
 {
-    return static_cast<int>(best.points.size()) > campaign.input.stop.confirmation;
+    return std::max(0, 1 + campaign.input.stop.confirmation - static_cast<int>(location.points.size()));
 }
 
-//! The end, or first the repetitions of the best location that are still missing.
-NextStep confirm_or_finish(Campaign const& campaign, Location const& best, Budget const& budget,
+//! The end, or first the repetitions that are missing of the best location; of all that points are kept back
+//! for where only those points are left, so that they run at once.
+NextStep confirm_or_finish(Campaign const& campaign, Assessment const& assessment, Budget const& budget,
                            std::string const& reason)
 {
-    int const missing = 1 + campaign.input.stop.confirmation - static_cast<int>(best.points.size());
+    auto ranked = assessment.locations().ranked();
     bool const can_confirm = budget.points > 0 && !budget.time_is_up &&
                              confirmations_in_a_row(campaign) < most_confirmations_in_a_row;
-    if (missing > 0 && can_confirm) {
-        std::vector<double> const values(best.factors.begin(), best.factors.end());
-        return wave(WavePurpose::confirmation, std::vector(std::min(missing, budget.points), values));
+    if (can_confirm && missing_repetitions(campaign, *ranked.front()) > 0) {
+        ranked.resize(std::min(ranked.size(), budget.points > reserve(campaign) ? 1 : locations_kept_for));
+        std::vector<std::vector<double>> points;
+        for (auto const* location : ranked)
+            points.insert(points.end(), static_cast<std::size_t>(missing_repetitions(campaign, *location)),
+                          {location->factors.begin(), location->factors.end()});
+        points.resize(std::min(points.size(), static_cast<std::size_t>(budget.points)));
+        return wave(WavePurpose::confirmation, std::move(points));
     }
     return {NextStep::Kind::finish, {}, {}, reason};
 }
@@ -266,7 +275,8 @@ NextStep first_wave(ensemble::CampaignInput const& input)
 
 //! A single run of a packing scatters, and the best of many runs is a lucky one. So a campaign ends only when
 //! its best location has been repeated with fresh packings and is still the best: every repetition enters the
-//! mean of its location, and whichever location is best then is repeated in turn.
+//! mean of its location, and whichever location is best then is repeated in turn. At the end of the budget
+//! the two best are repeated in one wave, so that no group waits: what is kept back is for them anyway.
 NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment,
                         std::vector<ensemble::NamedArray> const& analysis)
 {
@@ -290,8 +300,8 @@ NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment,
     auto const goal = goal_reached(campaign, assessment, best, analysis);
     auto const exhausted = search_exhausted(campaign, assessment, budget);
     if (goal || exhausted) {
-        auto const step = confirm_or_finish(campaign, best, budget, goal ? *goal : *exhausted);
-        if (step.kind == NextStep::Kind::simulate || exhausted || is_confirmed(campaign, best))
+        auto step = confirm_or_finish(campaign, assessment, budget, goal ? *goal : *exhausted);
+        if (step.kind == NextStep::Kind::simulate || exhausted || missing_repetitions(campaign, best) == 0)
             return step;
     }
 
@@ -299,7 +309,7 @@ NextStep plan_next_wave(Campaign const& campaign, Assessment const& assessment,
         search_points(campaign, assessment, std::min(batch_size(campaign), budget.points - reserve(campaign)),
                       wave_seed(campaign));
     if (points.empty())
-        return confirm_or_finish(campaign, best, budget, nothing_left(campaign, assessment));
+        return confirm_or_finish(campaign, assessment, budget, nothing_left(campaign, assessment));
     return wave(WavePurpose::search, std::move(points));
 }
 

@@ -1,6 +1,7 @@
 #include "tao_calib/wave/screening.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/base/not_a_number.hpp"
 #include "tao_calib/design/design.hpp"
 #include "tao_calib/design/factor_space.hpp"
 #include "tao_calib/regression/distributions.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 namespace demens::tao_calib {
 namespace {
@@ -20,11 +20,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int enough_degrees = 3; // of freedom, to take the error from repeated runs
 
 //! The screening wave, or null while there is none that is complete.
-ensemble::Wave const* screening_wave(ensemble::Campaign const& campaign)
+ensemble::Wave const* complete_screening(ensemble::Campaign const& campaign)
 {
     for (auto const& wave : campaign.waves)
         if (wave.purpose == ensemble::WavePurpose::screening) {
@@ -119,7 +118,7 @@ class ScreeningFit
         return std::isfinite(curvature_) && error.degrees > 0
                    ? f_p_value(std::pow(curvature_, 2) / (error.mean_square * curvature_variance_), 1,
                                error.degrees)
-                   : unknown;
+                   : not_a_number;
     }
 
   private:
@@ -172,7 +171,7 @@ class ScreeningFit
     double rounding_ = 0; //!< variance that rounding alone may leave
     ErrorEstimate pure_;  //!< of repeated runs
     ErrorEstimate beside_curvature_;
-    double curvature_ = unknown, curvature_variance_ = 0; //!< the latter for runs of variance one
+    double curvature_ = not_a_number, curvature_variance_ = 0; //!< the latter for runs of variance one
 };
 
 double inactive_value(ensemble::Factor const& factor)
@@ -188,12 +187,12 @@ Screening all_active(ensemble::Campaign const& campaign, Objective const& object
 {
     auto const k = static_cast<Index>(campaign.input.factors.size());
     Screening result;
-    result.effects = result.p_values = Eigen::MatrixXd::Constant(objective.size(), k, unknown);
-    result.error_sd = result.error_degrees = VectorXd::Constant(objective.size(), unknown);
-    result.curvature = result.curvature_p = VectorXd::Constant(objective.size(), unknown);
+    result.effects = result.p_values = Eigen::MatrixXd::Constant(objective.size(), k, not_a_number);
+    result.error_sd = result.error_degrees = VectorXd::Constant(objective.size(), not_a_number);
+    result.curvature = result.curvature_p = VectorXd::Constant(objective.size(), not_a_number);
     result.curved.assign(static_cast<std::size_t>(objective.size()), false);
     result.active.assign(static_cast<std::size_t>(k), true);
-    result.fixed_values = VectorXd::Constant(k, unknown);
+    result.fixed_values = VectorXd::Constant(k, not_a_number);
     result.note = std::move(note);
     return result;
 }
@@ -201,7 +200,7 @@ Screening all_active(ensemble::Campaign const& campaign, Objective const& object
 void keep_all(Screening& screening, std::string note)
 {
     screening.active.assign(screening.active.size(), true);
-    screening.fixed_values.setConstant(unknown);
+    screening.fixed_values.setConstant(not_a_number);
     screening.note = std::move(note);
 }
 
@@ -248,7 +247,7 @@ Eigen::MatrixXd screening_points(ensemble::CampaignInput const& input)
 //! matter.
 Screening screen(ensemble::Campaign const& campaign, Objective const& objective)
 {
-    auto const* wave = screening_wave(campaign);
+    auto const* wave = complete_screening(campaign);
     if (!wave)
         return all_active(campaign, objective, "");
     auto const k = static_cast<int>(campaign.input.factors.size());

@@ -49,8 +49,11 @@ kind = "oscillation"
 amplitude_mm = [0, 0, 1]
 frequency_hz = 20
 [[experiment.stage]]
+name = "drop"
+duration_s = 0.05
+[[experiment.stage]]
 name = "fall"
-duration_s = 0.2
+duration_s = 0.15
 [[experiment.response]]
 name = "height_m"
 quantity = "centre_of_mass"
@@ -75,6 +78,13 @@ mpirun --oversubscribe -n 2 "$demens" custom.h5 >run.txt
 grep -q '3 runs finished, 0 failed' run.txt
 "$demens" replay custom.h5 --run 1 --check >replay.txt
 grep -q 'height_m .* the same bits' replay.txt
+# It can begin where a stage does, and only as the run that it was.
+"$demens" replay custom.h5 --run 1 --checkpoints kept >kept.txt
+grep -q 'wrote kept/run-1-stage-1-fall.checkpoint' kept.txt
+"$demens" replay custom.h5 --run 1 --from kept/run-1-stage-1-fall.checkpoint --check | diff <(grep bits replay.txt) <(grep bits /dev/stdin)
+code=0
+"$demens" replay custom.h5 --run 0 --from kept/run-1-stage-1-fall.checkpoint 2>error.txt || code=$?
+[ $code -eq 2 ] && grep -q 'is of run 1; give --run 1' error.txt
 
 # Without its files the TOML file is refused, by key and line.
 code=0

@@ -10,8 +10,8 @@ all=(campaign_toml fit_toml csv particle_csv frames stl picture campaign_file)
 readers=("${@:-${all[@]}}")
 
 command -v ccache >/dev/null && export CMAKE_CXX_COMPILER_LAUNCHER=ccache
-cmake --preset fuzz >/dev/null
-cmake --build --preset fuzz --target "${readers[@]/#/fuzz_}"
+cmake --preset asan >/dev/null
+cmake --build --preset asan --target "${readers[@]/#/fuzz_}"
 
 # Words of the input, which chance would not find.
 mkdir -p build/fuzz
@@ -35,7 +35,7 @@ seeds() {
 fuzz() {
     seeds "$1"
     local log=build/fuzz/$1.log
-    if ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 "build/fuzz/tests/fuzz/fuzz_$1" -max_total_time="$seconds" -timeout=20 \
+    if ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 "build/asan/tests/fuzz/fuzz_$1" -max_total_time="$seconds" -timeout=20 \
         -rss_limit_mb=2048 -max_len=65536 -dict=build/fuzz/words.dict -print_final_stats=1 -artifact_prefix="build/fuzz/$1-" \
         "build/fuzz/corpus/$1" "build/fuzz/seeds/$1" >"$log" 2>&1; then
         echo "$1: $(sed -n 's/^stat::number_of_executed_units: *//p' "$log") cases, no fault"

@@ -108,6 +108,8 @@ struct RunInput
     EngineChoice engine = EngineChoice::cpu; //!< others give other packings
 };
 
+struct RunState; // programme/programme_run.hpp
+
 //! What the caller wants while a run goes on; nothing here but the number of ranks in a team changes the
 //! result.
 struct RunHooks
@@ -119,6 +121,10 @@ struct RunHooks
     //! The ranks that simulate the run together; null: this one alone. All of them call the rig, with hooks
     //! that are set alike, and get the same result.
     dem::Team* team = nullptr;
+    //! Called where a stage begins, but the first, with what the run can be gone on with; of rigs that are
+    //! programmes.
+    std::function<void(RunState const&, std::string const& stage)> on_stage = {};
+    RunState const* from = nullptr; //!< of the same run, which is gone on with; null: from its beginning
 };
 
 //! A run that was stopped from outside; it left no result and must be run again.

@@ -1,19 +1,19 @@
 #include "demens/observe/picture/bed_picture.hpp"
 
+#include "demens/base/not_a_number.hpp"
+
 #include "demens/observe/picture/rim.hpp"
 #include "demens/observe/principal_line.hpp"
 #include "demens/observe/surface.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 namespace demens::observe {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double explained = 0.95;     //!< share of a column's pixels that a surface must explain
 constexpr double least_columns = 0.8;  //!< share of a segment's columns that must have a surface
 constexpr double most_missing = 0.1;   //!< share of the columns between a surface's ends that may have none
@@ -46,7 +46,7 @@ double surface_row(GreyImage const& excess, int column, int from, int end)
             ++ties;
         }
     }
-    return is_at_end || fewest > (1 - explained) * (end - from) ? none : sum / ties;
+    return is_at_end || fewest > (1 - explained) * (end - from) ? not_a_number : sum / ties;
 }
 
 //! Points of the surface, one a column of pixels where there is one [m].
@@ -151,7 +151,7 @@ SegmentProfile profile_of(std::vector<Point> const& points, PictureFrame const& 
         profile.x.push_back(middle);
         double const wanted = least_columns * width / frame.pixel_size();
         if (x.empty() || static_cast<double>(x.size()) < std::floor(wanted))
-            profile.z.push_back(none);
+            profile.z.push_back(not_a_number);
         else
             profile.z.push_back(x.size() < 3 ? sum / static_cast<double>(x.size())
                                              : fit_line(x, z).intercept);
@@ -175,7 +175,7 @@ BedPicture read_bed(Cut const& cut, PictureFrame const& frame, BedReading const&
     bed.angle_deg = frame.rotation == Rotation::clockwise ? -line.angle_deg : line.angle_deg;
     bed.straightness = line.r2;
     if (line.points < 3)
-        bed.angle_deg = bed.straightness = none;
+        bed.angle_deg = bed.straightness = not_a_number;
     bed.profile = profile_of(points, frame, reading.segments);
     return bed;
 }

@@ -1,19 +1,17 @@
 #include "src/rig/command/exchange.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/base/not_a_number.hpp"
 #include "demens/base/text/csv.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
-#include <limits>
 #include <regex>
 #include <sstream>
 
 namespace demens::rig::command {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::string content_of(std::filesystem::path const& file)
 {
@@ -31,15 +29,15 @@ double number_in_json(std::string const& text, std::string const& name)
     auto const key = "\"" + name + "\"";
     auto at = text.find(key);
     if (at == std::string::npos)
-        return none;
+        return not_a_number;
     at = text.find_first_not_of(" \t\r\n", at + key.size());
     if (at == std::string::npos || text[at] != ':')
-        return none;
+        return not_a_number;
     at = text.find_first_not_of(" \t\r\n", at + 1);
     if (at == std::string::npos)
-        return none;
+        return not_a_number;
     auto const end = text.find_first_of(",}] \t\r\n", at);
-    return text::number_of(text.substr(at, end - at)).value_or(none);
+    return text::number_of(text.substr(at, end - at)).value_or(not_a_number);
 }
 
 } // namespace
@@ -86,7 +84,8 @@ std::vector<double> read_results(std::filesystem::path const& file, std::vector<
         auto const table = text::CsvTable::from_text(text, file.filename().string());
         for (auto const& name : names) {
             auto const column = table.find(name);
-            values.push_back(column && table.rows() > 0 ? table.number(table.rows() - 1, *column) : none);
+            values.push_back(column && table.rows() > 0 ? table.number(table.rows() - 1, *column)
+                                                        : not_a_number);
         }
         return values;
     }

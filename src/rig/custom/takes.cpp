@@ -1,16 +1,14 @@
 #include "src/rig/custom/takes.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/base/not_a_number.hpp"
 #include "demens/observe/surface.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace demens::rig::custom {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 double mean(Course const& course)
 {
@@ -35,7 +33,7 @@ double time_until(Course const& course, Passes const& passes)
 {
     auto const found = std::find_if(course.values.begin(), course.values.end(), passes);
     if (found == course.values.end())
-        return none;
+        return not_a_number;
     auto const k = static_cast<std::size_t>(found - course.values.begin());
     double const after = course.times[k] - course.begin;
     if (k == 0)
@@ -57,7 +55,7 @@ double steady_rate(Course const& course)
     while (end > begin && !(done(end - 1) <= 0.8))
         --end;
     if (end - begin < 2)
-        return none;
+        return not_a_number;
     auto const part = [&](std::vector<double> const& all) {
         return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(begin),
                                    all.begin() + static_cast<std::ptrdiff_t>(end));
@@ -79,7 +77,7 @@ std::vector<Take> const& takes()
         {"change", [](Course const& c) { return c.values.back() - c.values.front(); }},
         {"rate",
          [](Course const& c) {
-             return c.values.size() < 2 ? none : observe::fit_line(c.times, c.values).slope;
+             return c.values.size() < 2 ? not_a_number : observe::fit_line(c.times, c.values).slope;
          },
          rate},
         {"steady_rate", steady_rate, rate},

@@ -1,14 +1,13 @@
 // The curves of a heap, and the numbers that are made of them.
 #include "src/rig/heap/setup.hpp"
 
+#include "demens/base/not_a_number.hpp"
 #include "demens/observe/cone.hpp"
 
 #include <cmath>
 
 namespace demens::rig::heap {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 bool is_on_plate(dem::Place const& p, Setup const& setup)
 {
@@ -31,7 +30,7 @@ Heap const& heap(Look& look, Setup const& setup)
             if (is_on_plate(p, setup))
                 on_plate.push_back(p);
         double const width = setup.grains.quantile(0.5);
-        Heap heap{observe::surface_map(on_plate, width), {}, none, none};
+        Heap heap{observe::surface_map(on_plate, width), {}, not_a_number, not_a_number};
         heap.cone = observe::fit_cone(heap.map, setup.azimuths, setup.toe, setup.tip);
         // The outline between the heights that the cone is fitted between, on either side of its top.
         double const reach = 1.5 * std::max(heap.cone.radius, width);
@@ -54,7 +53,8 @@ Heap const& heap(Look& look, Setup const& setup)
                 inner = 0;
             auto const line = side < 0 ? observe::fit_line(outline.x, outline.z, -outer, -inner)
                                        : observe::fit_line(outline.x, outline.z, inner, outer);
-            (side < 0 ? heap.left_deg : heap.right_deg) = line.points < 3 ? none : -side * line.angle_deg();
+            (side < 0 ? heap.left_deg : heap.right_deg) =
+                line.points < 3 ? not_a_number : -side * line.angle_deg();
         }
         return heap;
     });
@@ -80,7 +80,7 @@ auto of_cone(double observe::ConeFit::*member, double factor = 1)
 {
     return [member, factor](Look& look, Setup const& setup) {
         auto const& cone = heap(look, setup).cone;
-        return cone.sectors < 3 ? none : factor * (cone.*member);
+        return cone.sectors < 3 ? not_a_number : factor * (cone.*member);
     };
 }
 

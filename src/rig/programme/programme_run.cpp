@@ -1,5 +1,7 @@
 #include "demens/rig/programme/programme_run.hpp"
 
+#include "demens/base/not_a_number.hpp"
+
 #include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
 #include "demens/dem/device_batch.hpp"
@@ -13,7 +15,6 @@
 namespace demens::rig {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr auto coefficients_of = "time of drifting coefficients"; // a note [s]
 
 Profile profile_of(ProfileReading const& reading, ProfileReading::Points points)
@@ -27,7 +28,7 @@ Profile profile_of(ProfileReading const& reading, ProfileReading::Points points)
 
 ProfileReading::Points mean_of(Progress::Average const& average)
 {
-    ProfileReading::Points points{average.axis, std::vector<double>(average.sum.size(), none)};
+    ProfileReading::Points points{average.axis, std::vector<double>(average.sum.size(), not_a_number)};
     for (std::size_t k = 0; k < points.values.size(); ++k)
         if (average.count[k] > 0)
             points.values[k] = average.sum[k] / average.count[k];
@@ -200,8 +201,8 @@ void ProgrammeRun::build()
         bench_->simulation.add(wall);
     auto& progress = bench_->progress;
     progress.random = RandomStream(programme_.seed);
-    progress.responses.assign(programme_.responses.size(), none);
-    progress.begins.assign(programme_.stages.size(), none);
+    progress.responses.assign(programme_.responses.size(), not_a_number);
+    progress.begins.assign(programme_.stages.size(), not_a_number);
     progress.rows.resize(programme_.stages.size());
     progress.averages.resize(programme_.profiles.size());
     progress.series = {{"time"}, {"s"}, {{}}};
@@ -373,7 +374,7 @@ void ProgrammeRun::check_health()
 RunResult ProgrammeRun::result()
 {
     RunResult result{.status = status_, .reason = reason_};
-    result.responses.assign(programme_.responses.size(), none);
+    result.responses.assign(programme_.responses.size(), not_a_number);
     if (!bench_)
         return result;
     auto& simulation = bench_->simulation;

@@ -1,6 +1,7 @@
 // The state of a run as a record.
 #include "demens/rig/programme/programme_run.hpp"
 
+#include "demens/base/not_a_number.hpp"
 #include "demens/dem/record_fields.hpp"
 #include "demens/observe/snapshot_columns.hpp"
 
@@ -10,8 +11,6 @@
 
 namespace demens::rig {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 //! How many there are, then each: `visit_one(its name, it)`.
 template <class Visitor, class Many, class VisitOne>
@@ -85,7 +84,7 @@ dem::StateRecord RunState::record() const
     dem::StateRecord all = simulation;
     dem::RecordWriter writer(all, "run/");
     visit_all(writer, progress);
-    writer("origin", progress.origin.value_or(none));
+    writer("origin", progress.origin.value_or(not_a_number));
     writer("model_of", progress.model_of ? static_cast<std::int64_t>(*progress.model_of) : -1);
     writer("random/seed", progress.random.seed());
     writer("random/drawn", progress.random.drawn());
@@ -104,7 +103,7 @@ RunState RunState::from_record(dem::StateRecord record)
     dem::RecordReader reader(state.simulation, "run/");
     auto& progress = state.progress;
     visit_all(reader, progress);
-    double origin = none;
+    double origin = not_a_number;
     reader("origin", origin);
     if (!std::isnan(origin))
         progress.origin = origin;

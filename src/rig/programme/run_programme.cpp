@@ -44,11 +44,15 @@ std::vector<std::int64_t> grain_numbers(dem::StateView const& grains, std::size_
 
 RunResult run_programme(Programme programme, RunHooks const& hooks)
 {
-    ProgrammeRun run(std::move(programme), hooks.team);
+    auto run = hooks.from != nullptr ? ProgrammeRun(std::move(programme), hooks.team, *hooks.from)
+                                     : ProgrammeRun(std::move(programme), hooks.team);
+    bool const has_frames = hooks.on_frame && hooks.frame_interval > 0;
     double next_frame = 0;
-    if (hooks.on_frame && hooks.frame_interval > 0)
+    if (has_frames || hooks.on_stage)
         run.watch([&](Bench& bench, std::string const& stage) {
-            if (bench.simulation.time() < next_frame)
+            if (hooks.on_stage && bench.progress.stage > 0 && bench.progress.looks == 0)
+                hooks.on_stage(run.save(), stage);
+            if (!has_frames || bench.simulation.time() < next_frame)
                 return;
             hooks.on_frame(take_snapshot(bench.simulation, stage));
             next_frame = bench.simulation.time() + hooks.frame_interval * (1 - 1e-9);

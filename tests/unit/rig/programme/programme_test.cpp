@@ -210,6 +210,31 @@ TEST(ProgrammeRun, GoesOnFromItsRecordWithTheSameBits)
     }
 }
 
+TEST(ProgrammeRun, IsKeptWhereEachStageBeginsAndGoesOnThere)
+{
+    auto const& info = *rig::find_rig("drawdown");
+    auto const input = demens::testing::small_drawdown(1);
+    std::vector<std::string> stages;
+    std::vector<rig::RunState> kept;
+    rig::RunHooks keeping;
+    keeping.on_stage = [&](rig::RunState const& state, std::string const& stage) {
+        stages.push_back(stage);
+        kept.push_back(state);
+    };
+    auto const whole = info.run(input, keeping);
+    EXPECT_EQ(whole.series.columns, info.run(input, {}).series.columns); // keeping changes nothing
+    ASSERT_EQ(stages.size() + 1, info.describe(input).stages.size());
+    for (auto const& state : kept) {
+        rig::RunHooks hooks;
+        hooks.from = &state;
+        auto const rest = info.run(input, hooks);
+        EXPECT_EQ(rest.status, RunStatus::finished) << rest.reason;
+        EXPECT_EQ(rest.responses, whole.responses);
+        EXPECT_EQ(rest.series.columns, whole.series.columns);
+        EXPECT_EQ(rest.steps, whole.steps);
+    }
+}
+
 TEST(ProgrammeRun, CoefficientsThatDriftGoOnFromItsRecordToo)
 {
     auto const& info = *rig::find_rig("drawdown");

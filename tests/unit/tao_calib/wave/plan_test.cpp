@@ -158,6 +158,27 @@ TEST(WavePlan, EndsWithinToleranceAfterAConfirmation)
               std::vector<double>{stand_in.stored("optimum/best_point").front()});
 }
 
+TEST(WavePlan, RepeatsTheTwoBestAtOnceWhereTheBudgetEnds)
+{
+    auto stand_in = draw_down_campaign({0.9, 0.6, 0.25}, {0.5, -0.5, 0.3, 0.8}, 1);
+    stand_in.campaign.input.stop.runs = 30;
+    stand_in.run_to_the_end();
+    EXPECT_EQ(stand_in.runs(), 30);
+    auto without_last = stand_in.campaign;
+    ASSERT_EQ(without_last.waves.back().purpose, ensemble::WavePurpose::confirmation);
+    without_last.waves.pop_back();
+    ASSERT_EQ(without_last.waves.back().purpose, ensemble::WavePurpose::search);
+    Assessment const before(without_last, pounders());
+    auto const ranked = before.locations().ranked();
+    Points repeated;
+    for (auto const& run : stand_in.campaign.waves.back().runs)
+        repeated.push_back(run.factors);
+    Points best;
+    for (int k : {0, 1})
+        best.emplace_back(ranked[k]->factors.begin(), ranked[k]->factors.end());
+    EXPECT_EQ(repeated, best);
+}
+
 TEST(WavePlan, RunsTheDesignAloneWhereNoWaveShallSearch)
 {
     auto stand_in = line();
