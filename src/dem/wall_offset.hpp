@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demens/base/vector3.hpp"
+#include "demens/dem/wall_shape.hpp"
 
 namespace demens::dem {
 
