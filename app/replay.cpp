@@ -1,9 +1,9 @@
 #include "app/checkpoint.hpp"
 #include "app/command.hpp"
+#include "app/simulated_again.hpp"
 #include "demens/base/error.hpp"
 #include "demens/observe/vtk_frames.hpp"
 #include "ensemble/mpi/mpi_team.hpp"
-#include "ensemble/run/execute.hpp"
 #include "ensemble/session.hpp"
 
 #include <bit>
@@ -22,22 +22,6 @@ struct ReplayOptions
     double frame_interval = 0.02; //!< [s]
     bool check = false;
 };
-
-ensemble::RunRecord record_of(ensemble::Campaign const& campaign, ReplayOptions const& options)
-{
-    for (auto const& record : campaign.all_runs())
-        if (record.run == options.run) {
-            if (auto const& from = campaign.waves.at(static_cast<std::size_t>(record.wave)).taken_from;
-                !from.empty())
-                throw InputError(fmt::format("{}: run {} was taken from {}; replay it there", options.file,
-                                             options.run, from));
-            return record;
-        }
-    throw InputError(campaign.runs_planned() == 0
-                         ? fmt::format("{}: no run is planned yet; run the campaign first", options.file)
-                         : fmt::format("{}: there is no run {}; give --run 0 to {}", options.file,
-                                       options.run, campaign.runs_planned() - 1));
-}
 
 //! The ranks that this program was started on, when a campaign gives several to a run: only as many get the
 //! same bits.
@@ -102,10 +86,8 @@ bool compare(ensemble::Experiment const& experiment, ensemble::RunRecord const& 
 int replay(ReplayOptions const& options)
 {
     auto const campaign = ensemble::read_campaign_file(options.file);
-    auto const stored = record_of(campaign, options);
+    auto const stored = run_to_simulate(campaign, options.file, options.run);
     auto const& experiment = campaign.input.experiments.at(static_cast<std::size_t>(stored.experiment));
-    auto const input = campaign.input.run_input(stored.factors, stored.point, stored.experiment,
-                                                stored.replicate, stored.overrides());
 
     std::optional<ReplayTeam> team;
     if (campaign.input.run.ranks_per_group > 1)
@@ -137,7 +119,7 @@ int replay(ReplayOptions const& options)
     if ((hooks.from != nullptr || hooks.on_stage) && !experiment.rig->describe)
         throw InputError(fmt::format("{}: runs of the rig {} have no stages to be kept", options.file,
                                      experiment.rig->name));
-    auto const result = ensemble::run_experiment(experiment, input, hooks);
+    auto const result = simulate_again(campaign, stored, hooks);
     if (!is_first)
         return success;
 

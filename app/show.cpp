@@ -1,4 +1,5 @@
 #include "app/command.hpp"
+#include "app/page_extras.hpp"
 #include "report/export.hpp"
 #include "report/report.hpp"
 
@@ -40,6 +41,7 @@ void add_report(CLI::App& program, Action& action)
         std::string file, output;
         bool follows = false;
         double every = 10; //!< [s]
+        PageWishes wishes;
     };
     auto options = std::make_shared<Options>();
     auto* command = program.add_subcommand("report", "write one HTML page with tables and plots");
@@ -52,6 +54,21 @@ void add_report(CLI::App& program, Action& action)
     command->add_option("--every", options->every, "time between two looks [s]; default 10")
         ->check(CLI::PositiveNumber)
         ->needs(follow_flag);
+    command
+        ->add_option(
+            "--picture-runs", options->wishes.pictures,
+            "pictures of these runs too, by number: 3,7; what the file does not keep is simulated again")
+        ->delimiter(',')
+        ->excludes(follow_flag);
+    auto* film_flag =
+        command
+            ->add_flag("--film", options->wishes.film,
+                       "an animation of the runs of --picture-runs, else of the best run of each "
+                       "experiment: simulates them again")
+            ->excludes(follow_flag);
+    command->add_option("--film-frames", options->wishes.frames, "moments of an animation; default 24")
+        ->check(CLI::Range(2, 200))
+        ->needs(film_flag);
     command->callback([options, &action] {
         action = [options] {
             std::filesystem::path page = options->output;
@@ -59,7 +76,7 @@ void add_report(CLI::App& program, Action& action)
                 page = std::filesystem::path(options->file).replace_extension(".html");
             if (options->follows)
                 return follow(options->file, page, options->every);
-            report::write_report(options->file, page);
+            report::write_report(options->file, page, page_extras(options->file, options->wishes));
             fmt::print("wrote {}\n", page.string());
             return static_cast<int>(success);
         };

@@ -1,5 +1,6 @@
 #include "report/document.hpp"
 
+#include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
 #include "gap/campaign/report.hpp"
 #include "report/analysis.hpp"
@@ -8,6 +9,7 @@
 #include "report/picture.hpp"
 #include "report/shown_run.hpp"
 
+#include <algorithm>
 #include <set>
 
 namespace demens::report {
@@ -180,6 +182,30 @@ json failed_pictures(ensemble::Campaign const& campaign, DetailsOf const& detail
     return list;
 }
 
+//! Runs that were asked for, in pictures or films.
+json asked_of(ensemble::Campaign const& campaign, std::vector<ShownRun> const& runs,
+              json (*drawn)(std::vector<rig::Snapshot> const&))
+{
+    json list = json::array();
+    auto const all = campaign.all_runs();
+    for (auto const& shown : runs) {
+        auto const run =
+            std::find_if(all.begin(), all.end(), [&](auto const& one) { return one.run == shown.run; });
+        DEMENS_EXPECT(run != all.end(), "a run of the campaign");
+        list.push_back({{"experiment", run->experiment},
+                        {"run", run->run},
+                        {"status", rig::name_of(run->status)},
+                        {"reason", run->reason},
+                        {"pictures", drawn(shown.snapshots)}});
+    }
+    return list;
+}
+
+json stills_of(std::vector<rig::Snapshot> const& snapshots)
+{
+    return pictures_of(snapshots, Turning::no);
+}
+
 //! How its input was changed since it began.
 json extensions_of(ensemble::Campaign const& campaign)
 {
@@ -203,7 +229,7 @@ json gap_of(ensemble::Campaign const& campaign)
 
 } // namespace
 
-json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of)
+json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of, Extras const& extras)
 {
     auto const& input = campaign.input;
     Analysis const analysis(campaign);
@@ -234,6 +260,8 @@ json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of
             {"gap", gap_of(campaign)},
             {"details", details_of_shown_runs(campaign, analysis, details_of)},
             {"failed_pictures", failed_pictures(campaign, details_of)},
+            {"asked_pictures", asked_of(campaign, extras.pictures, stills_of)},
+            {"films", asked_of(campaign, extras.films, film_of)},
             {"input", {{"text", input.text()}, {"resolved", input.resolved_text()}}}};
 }
 

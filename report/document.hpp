@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ensemble/campaign.hpp"
+#include "report/extras.hpp"
 
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@ namespace demens::report {
 using DetailsOf = std::function<ensemble::RunDetails(int run)>;
 
 //! Everything that the page shows, as one JSON document; report/page/main.js lists its members.
-nlohmann::json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of);
+nlohmann::json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of,
+                           Extras const& extras = {});
 
 } // namespace demens::report

@@ -12,16 +12,24 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t largest_picture = 20000; //!< particles; those behind are left out
-constexpr double resolution = 8192;            //!< quanta over the larger side of a picture
-constexpr std::size_t longest_series = 500;    //!< points a line
+//! How fine a picture is.
+struct Fineness
+{
+    std::size_t particles; //!< at most; those behind are left out
+    double resolution;     //!< quanta over its larger side
+};
+constexpr Fineness still = {20000, 8192};
+constexpr std::size_t particles_of_film = 40000; //!< of all its frames
+constexpr double resolution_of_film = 999;
+constexpr std::size_t longest_series = 500; //!< points a line
 
 //! What a picture shows, the same for all snapshots of a run: the particles with some room around them.
 struct Frame
 {
+    Fineness fineness;
     std::array<Extent, 3> along; //!< extents of the particles, of walls where there are none [m]
 
-    explicit Frame(std::vector<rig::Snapshot> const& snapshots)
+    Frame(std::vector<rig::Snapshot> const& snapshots, Fineness fine) : fineness(fine)
     {
         for (auto const& snapshot : snapshots) {
             include_particles(along[0], snapshot.x, snapshot.radius);
@@ -51,7 +59,7 @@ struct Frame
     //! Unit of lengths in the picture [m].
     double quantum() const
     {
-        return std::max({shown(across()).width(), shown(2).width(), 1e-12}) / resolution;
+        return std::max({shown(across()).width(), shown(2).width(), 1e-12}) / fineness.resolution;
     }
 
   private:
@@ -102,7 +110,8 @@ json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame
     auto quanta = [quantum](double length) { return std::lround(length / quantum); };
 
     auto order = drawing_order(snapshot, depth);
-    std::size_t const hidden = order.size() > largest_picture ? order.size() - largest_picture : 0;
+    std::size_t const most = frame.fineness.particles;
+    std::size_t const hidden = order.size() > most ? order.size() - most : 0;
     order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(hidden));
 
     json h = json::array(), v = json::array(), r = json::array(), d = json::array(), layer = json::array(),
@@ -147,11 +156,25 @@ json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame
 
 json pictures_of(std::vector<rig::Snapshot> const& snapshots, Turning turning)
 {
-    Frame const frame(snapshots);
+    Frame const frame(snapshots, still);
     json pictures = json::array();
     for (auto const& snapshot : snapshots)
         pictures.push_back(picture_of(snapshot, snapshots.front(), frame,
                                       &snapshot == &snapshots.back() ? turning : Turning::no));
+    return pictures;
+}
+
+json film_of(std::vector<rig::Snapshot> const& frames)
+{
+    json pictures = json::array();
+    if (frames.empty())
+        return pictures;
+    Frame const frame(frames, {particles_of_film / frames.size(), resolution_of_film});
+    for (auto const& moment : frames) {
+        auto picture = picture_of(moment, moment, frame, Turning::no);
+        picture["particles"]["layer"] = json::array(); // of its own moment: says nothing
+        pictures.push_back(std::move(picture));
+    }
     return pictures;
 }
 

@@ -19,6 +19,8 @@ enum class Turning
 //! to the front.
 //! \param turning of the last one
 nlohmann::json pictures_of(std::vector<rig::Snapshot> const& snapshots, Turning turning = Turning::yes);
+//! The frames of a film, coarser, and of each as many particles in front as make 40,000 in all.
+nlohmann::json film_of(std::vector<rig::Snapshot> const& frames);
 //! Columns over the first one, thinned to what a plot can show.
 nlohmann::json columns_of(rig::Series const& series);
 

@@ -39,11 +39,11 @@ void write_whole(std::filesystem::path const& file, std::string const& text)
     }
 }
 
-nlohmann::json read_document(std::filesystem::path const& campaign_file)
+nlohmann::json read_document(std::filesystem::path const& campaign_file, Extras const& extras = {})
 {
     auto const campaign = ensemble::read_campaign_file(campaign_file);
-    auto document =
-        document_of(campaign, [&](int run) { return ensemble::read_run_details(campaign_file, run); });
+    auto document = document_of(
+        campaign, [&](int run) { return ensemble::read_run_details(campaign_file, run); }, extras);
     document["file"] = campaign_file.filename().string();
     return document;
 }
@@ -55,9 +55,10 @@ void write_page(nlohmann::json const& document, std::filesystem::path const& htm
 
 } // namespace
 
-void write_report(std::filesystem::path const& campaign_file, std::filesystem::path const& html)
+void write_report(std::filesystem::path const& campaign_file, std::filesystem::path const& html,
+                  Extras const& extras)
 {
-    write_page(read_document(campaign_file), html);
+    write_page(read_document(campaign_file, extras), html);
 }
 
 void write_live_report(std::filesystem::path const& campaign_file, std::filesystem::path const& html,

@@ -1,6 +1,6 @@
 // The page, from top to bottom. The document `campaign` has: name, file, seed, ended, extensions, stop, factors, constraints,
 // experiments, targets, warnings, live (while it is worked on), waves (with their runs), history, optimum, values, progress, surrogate,
-// details (pictures, series), failed_pictures, gap, input.
+// details (pictures, series), failed_pictures, asked_pictures and films (of runs that somebody asked for), gap, input.
 
 function show_headline() {
     section('name').textContent = campaign.name;

@@ -96,7 +96,7 @@ function show_turning(parent, details) {
         step();
     });
     const folded = element('details', {class: 'turning'}, element('summary', {}, `From other sides: ${words_of(picture.name)}, particles alone`),
-                           element('div', {class: 'controls'}, slider, ' ', button), canvas);
+                           element('div', {class: 'controls'}, slider, ' ', reduced_motion.matches ? null : button), canvas);
     folded.addEventListener('toggle', draw);
     draw();
     parent.append(folded);
@@ -116,11 +116,72 @@ function show_failed_pictures(parent) {
     }
 }
 
+function title_of_asked(asked) {
+    return `run ${asked.run} (${campaign.experiments[asked.experiment].name}), ${asked.status}`
+        + (asked.reason ? `: ${asked.reason}` : '');
+}
+
+function show_asked_pictures(parent) {
+    for (const asked of campaign.asked_pictures) {
+        parent.append(element('h3', {}, title_of_asked(asked)));
+        const row = element('div', {class: 'columns three'});
+        parent.append(row);
+        for (const picture of asked.pictures) {
+            const canvas = element('canvas', {class: 'picture', 'data-plot': `asked-${asked.run}-${picture.name}`, role: 'img',
+                                              'aria-label': `Run ${asked.run}, ${words_of(picture.name)}`});
+            draw_picture(canvas, picture, shades.depth);
+            row.append(element('figure', {}, canvas, element('figcaption', {}, `${words_of(picture.name)}, ${number(picture.time, 3)} s`)));
+        }
+    }
+}
+
+// Moments of a run, one after another: chosen by hand, or played where nobody has asked for less motion.
+function show_film(parent, film) {
+    const last = film.pictures.length - 1, per_second = 8;
+    const canvas = element('canvas', {class: 'picture film', 'data-plot': `film-${film.run}`, role: 'img',
+                                      'aria-label': `Run ${film.run} as a film of ${plural(last + 1, 'moment')}`});
+    const slider = element('input', {type: 'range', min: 0, max: last, value: last, 'aria-label': 'moment'});
+    const clock = element('span', {class: 'note'}), button = element('button', {type: 'button'}, 'play');
+    const draw = () => {
+        const picture = film.pictures[slider.value];
+        draw_picture(canvas, picture, shades.depth);
+        clock.textContent = ` ${words_of(picture.name)}, ${picture.time.toFixed(2)} s`;
+    };
+    let timer = null;
+    const stop = () => {
+        clearInterval(timer);
+        timer = null;
+        button.textContent = 'play';
+    };
+    slider.addEventListener('input', () => { stop(); draw(); });
+    button.addEventListener('click', () => {
+        if (timer !== null) return stop();
+        button.textContent = 'stop';
+        if (Number(slider.value) === last) slider.value = 0;
+        draw();
+        timer = setInterval(() => {
+            slider.value = Number(slider.value) + 1;
+            draw();
+            if (Number(slider.value) === last) stop();
+        }, 1000 / per_second);
+    });
+    const hidden = Math.max(...film.pictures.map((picture) => picture.hidden));
+    parent.append(element('h3', {}, `As a film: ${title_of_asked(film)}`),
+                  element('div', {class: 'controls'}, reduced_motion.matches ? null : button, ' ', slider, clock), canvas,
+                  hidden > 0 ? element('p', {class: 'note'}, `${plural(hidden, 'particle')} behind left out.`) : '');
+    draw();
+}
+
+const reduced_motion = matchMedia('(prefers-reduced-motion: reduce)');
+
 function show_pictures(parent) {
     show_pictures_of_shown_runs(parent);
+    for (const film of campaign.films) show_film(parent, film);
+    show_asked_pictures(parent);
     show_failed_pictures(parent);
     if (all_runs.length > 0 && campaign.file)
-        parent.append(element('p', {class: 'note'}, 'Any other run, as frames for ParaView: ',
+        parent.append(element('p', {class: 'note'}, 'Any other run: ',
+                              element('code', {}, `demens report ${campaign.file} --picture-runs N --film`), '; as frames for ParaView: ',
                               element('code', {}, `demens replay ${campaign.file} --run N --frames FOLDER`)));
 }
 

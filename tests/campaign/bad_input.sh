@@ -92,7 +92,7 @@ cp good.h5 before.h5
 expect 2 'good.h5: exists already' "$demens" new good.toml
 sed -i 's|restitution = 1.0|restitution = 0.9|' good.toml
 expect 2 'good.h5: was made of another input' "$demens" good.toml
-expect 2 'there is no run 5; give --run 0 to 4' "$demens" replay good.h5 --run 5
+expect 2 'there is no run 5; it has runs 0 to 4' "$demens" replay good.h5 --run 5
 cmp -s good.h5 before.h5 || fail "good.h5 was changed"
 expect 0 'wrote good.h5' "$demens" new good.toml --force
 cmp -s good.h5 before.h5 && fail "good.h5 was not replaced"

@@ -32,3 +32,10 @@ for plot in deviations convergence intervals response-0-1-static_friction timing
 done
 # The friction coefficient of the best point, as the table shows it.
 grep -q '<td><b>0\.2</b></td>' dom.html
+
+# Pictures and films of runs that are asked for: they are simulated again where the file has none.
+"$demens" report impact.h5 --picture-runs 0,2 --film --film-frames 5 >again.txt
+grep -q 'simulating run 2 for its film' again.txt
+grep -q '"films":\[{' impact.html
+if "$demens" report impact.h5 --picture-runs 99 2>refused.txt; then exit 1; fi
+grep -q 'there is no run 99; it has runs 0 to' refused.txt

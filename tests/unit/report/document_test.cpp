@@ -199,6 +199,21 @@ TEST(Picture, has_one_frame_for_all_snapshots_of_a_run)
     EXPECT_EQ(pictures[0]["size"], pictures[1]["size"]);
 }
 
+TEST(Picture, a_film_is_coarse_and_of_the_particles_in_front)
+{
+    auto const moments = test::sample_details(0).snapshots;
+    auto const film = film_of(moments);
+    ASSERT_EQ(film.size(), moments.size());
+    EXPECT_LE(film[0]["size"][1].get<int>(), 999);
+    EXPECT_EQ(film[0]["particles"]["h"].size(), 600u);
+    EXPECT_EQ(film[0]["size"], film[1]["size"]);
+    std::vector<rig::Snapshot> const many(100, moments[0]); // 400 particles each make 40,000
+    auto const long_film = film_of(many);
+    EXPECT_EQ(long_film[99]["particles"]["h"].size(), 400u);
+    EXPECT_EQ(long_film[99]["hidden"], 200);
+    EXPECT_TRUE(film_of({}).empty());
+}
+
 TEST(Picture, marks_each_particle_with_its_height_in_the_first_snapshot)
 {
     auto const pictures = pictures_of(test::sample_details(0).snapshots);

@@ -35,11 +35,12 @@ class TemporaryFolder
 };
 
 //! The document object model of a campaign's page after its scripts ran.
-std::string rendered(ensemble::Campaign const& campaign, DetailsOf const& details = test::sample_details)
+std::string rendered(ensemble::Campaign const& campaign, DetailsOf const& details = test::sample_details,
+                     Extras const& extras = {})
 {
     TemporaryFolder const folder;
     auto const page = folder.path() / "page.html", result = folder.path() / "dom.html";
-    std::ofstream(page) << page_of(document_of(campaign, details), campaign.input.name);
+    std::ofstream(page) << page_of(document_of(campaign, details, extras), campaign.input.name);
     std::string const command =
         std::string("timeout 120 ") + CHROMIUM +
         " --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --disable-quic --no-first-run"
@@ -221,6 +222,20 @@ TEST(Render, measured_curves_and_photographs_stand_beside_the_run)
     EXPECT_EQ(marks.at("photograph-0"), 1600);
     EXPECT_EQ(marks.count("profile-0-picture"), 0u);
     EXPECT_NE(page.find("mm² differ"), std::string::npos);
+}
+
+TEST(Render, runs_that_somebody_asked_for_have_pictures_and_films)
+{
+    auto const moments = test::sample_details(0).snapshots;
+    auto const page =
+        rendered(test::sample_campaign(), test::sample_details, {{{3, moments}}, {{4, moments}}});
+    expect_no_error(page);
+    auto const marks = marks_of(page);
+    EXPECT_GE(marks.at("asked-3-" + moments.front().name), 600);
+    EXPECT_GE(marks.at("asked-3-" + moments.back().name), 600);
+    EXPECT_GE(marks.at("film-4"), 600);
+    EXPECT_EQ(count_of(page, "type=\"range\" min=\"0\" max=\"1\""), 1);
+    EXPECT_EQ(count_of(page, ">play</button>"), 1);
 }
 
 TEST(Render, new_campaign)
