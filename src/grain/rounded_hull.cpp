@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -98,6 +99,31 @@ VolumeMoments sector_at(Hull const& hull, std::size_t vertex, double r)
             r3 * solid_angle * products(place) + r4 * both_products(place, normal) + r5 * normals};
 }
 
+//! Places of the corners when all faces move inwards by r: where its faces meet, or of more than three, which
+//! need not meet in one, the place nearest to all of them (least squares). None where a face is missed by
+//! more than `tolerance` [m].
+std::vector<Vector3> corners_moved_inwards(Hull const& hull, double r, double tolerance)
+{
+    std::vector<Vector3> corners;
+    for (std::size_t v = 0; v < hull.vertices().size(); ++v) {
+        Vector3 x, y, z, sum; // columns of the sum of n n^T; sum of n
+        for (auto const f : hull.faces_of_vertices()[v]) {
+            Vector3 const& n = hull.faces()[f].normal;
+            x += n.x * n, y += n.y * n, z += n.z * n, sum += n;
+        }
+        double const determinant = dot(x, cross(y, z));
+        if (!(determinant > 1e-9))
+            return {};
+        Vector3 const step =
+            (-r / determinant) * Vector3{dot(sum, cross(y, z)), dot(x, cross(sum, z)), dot(x, cross(y, sum))};
+        for (auto const f : hull.faces_of_vertices()[v])
+            if (std::abs(dot(hull.faces()[f].normal, step) + r) > tolerance)
+                return {};
+        corners.push_back(hull.vertices()[v] + step);
+    }
+    return corners;
+}
+
 } // namespace
 
 RoundedHull rounded(Hull const& hull, double rounding, std::string const& origin)
@@ -123,7 +149,17 @@ RoundedHull rounded(Hull const& hull, double rounding, std::string const& origin
     std::vector<Vector3> corners;
     for (HullFace const& side : dual.faces())
         corners.push_back(centre + side.normal / side.offset);
-    return {convex_hull(corners, origin), rounding};
+    Hull core = convex_hull(corners, origin);
+    if (core.vertices().size() <= hull.vertices().size())
+        return {std::move(core), rounding};
+    // Corners of more than three faces have come apart, into some that are near to each other.
+    auto const together = corners_moved_inwards(hull, rounding, 0.25 * rounding);
+    if (together.empty())
+        return {std::move(core), rounding};
+    Hull same = convex_hull(together, origin);
+    if (same.vertices().size() == hull.vertices().size() && same.faces().size() == hull.faces().size())
+        return {std::move(same), rounding};
+    return {std::move(core), rounding};
 }
 
 VolumeMoments volume_moments(RoundedHull const& hull)

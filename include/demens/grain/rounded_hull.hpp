@@ -13,8 +13,10 @@ struct RoundedHull
 
 //! A hull with its edges and corners rounded, its faces where they were: the core is what remains when each
 //! face moves inwards by `rounding` [m] (what a ball of that radius reaches inside the hull; faces that no
-//! ball reaches are gone). \throws InputError where that is not less than the distance of the hull's centre
-//! from its nearest face; `origin` stands before the message.
+//! ball reaches are gone). Corners of more than three faces stay one where the faces are then off by no more
+//! than a quarter of the rounding: else each would become several near to each other. \throws InputError
+//! where that is not less than the distance of the hull's centre from its nearest face; `origin` stands
+//! before the message.
 RoundedHull rounded(Hull const& hull, double rounding, std::string const& origin);
 
 //! Exact but for rounding: core, prisms on faces, wedges along edges and sectors of balls at corners; the

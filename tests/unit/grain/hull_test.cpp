@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace {
@@ -167,6 +168,34 @@ TEST(RoundedHull, WithASmallCoreIsABall)
         for (double const product : {found.second.xx, found.second.yy, found.second.zz})
             EXPECT_NEAR(product, 0.2 * ball, 1e-6);
         EXPECT_NEAR(found.second.xy, 0, 1e-6);
+    }
+}
+
+TEST(RoundedHull, KeepsCornersOfManyFacesTogether)
+{
+    double const r = 0.03;
+    Hull const ore = convex_hull(spiral(12, 0.5), "ore");
+    ASSERT_EQ(ore.faces().size(), 20u); // five triangles at a corner
+    RoundedHull const round = rounded(ore, r, "ore");
+    EXPECT_EQ(round.core.vertices().size(), 12u);
+    ASSERT_EQ(round.core.faces().size(), 20u);
+    // Its faces are where they were to a quarter of the rounding.
+    for (HullFace const& face : ore.faces()) {
+        double farthest = -1;
+        for (Vector3 const& v : round.core.vertices())
+            farthest = std::max(farthest, dot(face.normal, v) + r);
+        EXPECT_NEAR(farthest, face.offset, 0.25 * r);
+    }
+    // A square pyramid with a tip of four faces at equal angles: exact.
+    Hull const pyramid = convex_hull(
+        std::vector<Vector3>{{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {0, 0, 1}}, "pyramid");
+    RoundedHull const round_pyramid = rounded(pyramid, 0.1, "pyramid");
+    for (HullFace const& face : round_pyramid.core.faces()) {
+        auto const same =
+            std::find_if(pyramid.faces().begin(), pyramid.faces().end(),
+                         [&](HullFace const& f) { return dot(f.normal, face.normal) > 1 - 1e-9; });
+        ASSERT_NE(same, pyramid.faces().end());
+        EXPECT_NEAR(face.offset, same->offset - 0.1, 1e-9);
     }
 }
 
