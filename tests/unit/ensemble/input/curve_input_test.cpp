@@ -140,8 +140,8 @@ TEST(CurveInput, WindowsHaveNamesWeightsAndPhases)
 
 TEST(CurveInput, AFreeShiftIsAResponse)
 {
-    auto const& experiment =
-        read(curve(", sd = 1, windows = 2, shift = \"free\", offset = 5")).experiments[0];
+    auto const input = read(curve(", sd = 1, windows = 2, shift = \"free\", offset = 5"));
+    auto const& experiment = input.experiments[0];
     EXPECT_EQ(experiment.responses.back().name, "height_m_shift");
     EXPECT_EQ(experiment.targets.size(), 2u);
     EXPECT_DOUBLE_EQ(experiment.curves[0].largest_shift, 0.1);
