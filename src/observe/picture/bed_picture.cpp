@@ -1,7 +1,6 @@
 #include "demens/observe/picture/bed_picture.hpp"
 
 #include "demens/base/not_a_number.hpp"
-
 #include "demens/observe/picture/rim.hpp"
 #include "demens/observe/principal_line.hpp"
 #include "demens/observe/surface.hpp"

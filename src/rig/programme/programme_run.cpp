@@ -1,9 +1,8 @@
 #include "demens/rig/programme/programme_run.hpp"
 
-#include "demens/base/not_a_number.hpp"
-
 #include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
+#include "demens/base/not_a_number.hpp"
 #include "demens/dem/device_batch.hpp"
 
 #include <algorithm>
