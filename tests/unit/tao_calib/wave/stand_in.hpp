@@ -167,4 +167,12 @@ inline StandIn draw_down_campaign(std::vector<double> const& truth, std::vector<
     return stand_in;
 }
 
+inline std::vector<std::string> purposes(ensemble::Campaign const& campaign)
+{
+    std::vector<std::string> result;
+    for (auto const& wave : campaign.waves)
+        result.push_back(word_for(wave.purpose));
+    return result;
+}
+
 } // namespace demens::tao_calib
