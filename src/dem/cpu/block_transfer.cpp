@@ -53,9 +53,9 @@ DEMENS_INLINE LoadRows load_rows(ContactBlock const& b, int l)
     auto const three = [l](double const* x, double const* y, double const* z) {
         return contact::Components<FourValues>{load_four(x + l), load_four(y + l), load_four(z + l)};
     };
-    auto const loads = contact::body_loads<FourValues>(three(b.nx, b.ny, b.nz), load_four(b.arm_i + l),
-                                                       load_four(b.arm_j + l), three(b.fx, b.fy, b.fz),
-                                                       three(b.mx, b.my, b.mz));
+    FourValues const arm_i = load_four(b.arm_i + l), arm_j = load_four(b.arm_j + l);
+    auto const loads = contact::body_loads<FourValues>(three(b.nx, b.ny, b.nz), arm_i, arm_j,
+                                                       three(b.fx, b.fy, b.fz), three(b.mx, b.my, b.mz));
     auto const& [force, torque_i, torque_j] = loads;
     Four const zero{};
     LoadRows rows{{force.x, force.y, force.z, zero},
