@@ -2,7 +2,7 @@
 
 #include "app/simulated_again.hpp"
 #include "demens/base/error.hpp"
-#include "ensemble/session.hpp"
+#include "ensemble/campaign_reader.hpp"
 #include "report/shown_run.hpp"
 
 #include <cstdio>
@@ -13,12 +13,13 @@ namespace {
 
 //! Landmarks as they were kept, else, of a run that is not in the file yet or was kept without, as they are
 //! now.
-report::ShownRun pictured(ensemble::Campaign const& campaign, std::string const& file, int run)
+report::ShownRun pictured(ensemble::CampaignReader const& reader, std::string const& file, int run)
 {
+    auto const& campaign = reader.campaign();
     auto const record = run_to_simulate(campaign, file, run);
     if (record.status != rig::RunStatus::not_run)
         try {
-            if (auto kept = ensemble::read_run_details(file, run).snapshots; !kept.empty())
+            if (auto kept = reader.details_of(run).snapshots; !kept.empty())
                 return {run, std::move(kept)};
         } catch (InputError const&) { // none kept
         }
@@ -66,11 +67,12 @@ report::Extras page_extras(std::filesystem::path const& campaign_file, PageWishe
     if (!wishes.any())
         return extras;
     auto const file = campaign_file.string();
-    auto const campaign = ensemble::read_campaign_file(file);
+    ensemble::CampaignReader const reader(campaign_file);
+    auto const& campaign = reader.campaign();
     for (int const run : wishes.pictures)
         run_to_simulate(campaign, file, run); // before anything is simulated
     for (int const run : wishes.pictures)
-        extras.pictures.push_back(pictured(campaign, file, run));
+        extras.pictures.push_back(pictured(reader, file, run));
     if (!wishes.film)
         return extras;
     auto const runs = wishes.pictures.empty() ? report::shown_runs(campaign) : wishes.pictures;

@@ -67,21 +67,4 @@ Campaign read_campaign_file(std::filesystem::path const& path, Rigs const& rigs)
     return read_campaign(path, rigs);
 }
 
-RunDetails read_run_details(std::filesystem::path const& path, int run, Rigs const& rigs)
-{
-    auto const campaign = read_campaign(path, rigs);
-    for (auto const& wave : campaign.waves)
-        for (std::size_t row = 0; row < wave.runs.size(); ++row)
-            if (wave.runs[row].run == run) {
-                if (!is_complete(wave))
-                    throw InputError(fmt::format("{}: run {} is not in the file yet; its wave {} goes on",
-                                                 path.string(), run, wave.number));
-                auto const experiment = static_cast<std::size_t>(wave.runs[row].experiment);
-                return read_details(open_campaign(path), wave.number, row,
-                                    campaign.input.experiments.at(experiment).name);
-            }
-    throw InputError(fmt::format("{}: there is no run {}; the campaign has runs 0 to {}", path.string(), run,
-                                 campaign.runs_planned() - 1));
-}
-
 } // namespace demens::ensemble

@@ -78,10 +78,9 @@ void create_campaign_file(std::filesystem::path const& file, CampaignInput const
 //! not complete
 void create_campaign_file(std::filesystem::path const& file, CampaignInput const& input,
                           std::vector<Wave> const& taken);
-//! Reads a campaign file on one rank, without opening it for writing. \throws InputError
+//! Reads a campaign file on one rank, without opening it for writing; without what campaign_reader.hpp reads
+//! run by run. \throws InputError
 Campaign read_campaign_file(std::filesystem::path const& file, Rigs const& rigs = rig::all_rigs());
-//! \throws InputError when the campaign has no such run or it has not been simulated
-RunDetails read_run_details(std::filesystem::path const& file, int run, Rigs const& rigs = rig::all_rigs());
 
 //! One task of a Slurm job array: runs those of the last wave whose number is `task` modulo `tasks` and
 //! leaves them beside the file; the next session gathers them. Several tasks may work at the same time.

@@ -1,6 +1,6 @@
 #include "report/export.hpp"
 
-#include "ensemble/session.hpp"
+#include "ensemble/campaign_reader.hpp"
 #include "report/analysis.hpp"
 #include "report/handover/folder.hpp"
 #include "report/handover/handover.hpp"
@@ -99,7 +99,8 @@ std::string csv_of(rig::Series const& series)
 
 std::vector<fs::path> export_campaign(fs::path const& file, fs::path const& folder)
 {
-    auto const campaign = ensemble::read_campaign_file(file);
+    ensemble::CampaignReader const reader(file);
+    auto const& campaign = reader.campaign();
     Analysis const analysis(campaign);
     Folder out(folder);
     auto const* best = analysis.find(stored::optimum::best_point);
@@ -110,7 +111,7 @@ std::vector<fs::path> export_campaign(fs::path const& file, fs::path const& fold
         auto const* run = shown_run(campaign, static_cast<int>(e), best);
         if (!run)
             continue;
-        auto const details = ensemble::read_run_details(file, run->run);
+        auto const details = reader.details_of(run->run);
         if (details.series.rows() > 0)
             out.write(fmt::format("series.{}.csv", name), csv_of(details.series));
         for (auto const& profile : details.profiles)

@@ -1,7 +1,7 @@
 #include "report/report.hpp"
 
 #include "demens/base/error.hpp"
-#include "ensemble/session.hpp"
+#include "ensemble/campaign_reader.hpp"
 #include "report/document.hpp"
 #include "report/page.hpp"
 
@@ -41,9 +41,9 @@ void write_whole(std::filesystem::path const& file, std::string const& text)
 
 nlohmann::json read_document(std::filesystem::path const& campaign_file, Extras const& extras = {})
 {
-    auto const campaign = ensemble::read_campaign_file(campaign_file);
+    ensemble::CampaignReader const reader(campaign_file);
     auto document = document_of(
-        campaign, [&](int run) { return ensemble::read_run_details(campaign_file, run); }, extras);
+        reader.campaign(), [&](int run) { return reader.details_of(run); }, extras);
     document["file"] = campaign_file.filename().string();
     return document;
 }

@@ -282,7 +282,11 @@ hdf5::File open_campaign(fs::path const& path)
 
 Campaign read_campaign(fs::path const& path, Rigs const& rigs)
 {
-    auto const file = open_campaign(path);
+    return read_campaign(open_campaign(path), path, rigs);
+}
+
+Campaign read_campaign(hid_t file, fs::path const& path, Rigs const& rigs)
+{
     try {
         Campaign campaign{
             CampaignInput::from_text(read_text(file, "/input/toml"), path.string() + ":/input/toml", rigs,

@@ -24,6 +24,8 @@ void write_extension(hid_t file, Extension const& extension);
 hdf5::File open_campaign(std::filesystem::path const& file);
 //! Everything but series and snapshots. \throws InputError
 Campaign read_campaign(std::filesystem::path const& file, Rigs const& rigs);
+//! The same of a file that is open. \param path where it is, for messages
+Campaign read_campaign(hid_t file, std::filesystem::path const& path, Rigs const& rigs);
 
 //! A change of a campaign file that is either made completely or not at all: a copy beside it is changed,
 //! synced and renamed. Used by one process; the copy may be opened by several.

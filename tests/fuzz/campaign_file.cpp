@@ -1,6 +1,7 @@
 // A campaign file with a finished wave, of which bytes are changed: cases are lists of (offset, byte). The
 // check sums that are right for the changed bytes are not made anew, so that datasets mostly end there;
 // headers, attributes and the structure of the file do not.
+#include "ensemble/campaign_reader.hpp"
 #include "ensemble/storage/durable.hpp"
 #include "tests/fuzz/accepts.hpp"
 #include "tests/mpi/finished_campaign.hpp"
@@ -35,9 +36,9 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<char const*>(changed.data()), static_cast<std::streamsize>(changed.size()));
     test::read_or_refuse([&] {
-        auto const campaign = read_campaign_file(file, test::formula_rigs());
-        if (campaign.runs_planned() > 0)
-            read_run_details(file, campaign.runs_planned() - 1, test::formula_rigs());
+        CampaignReader const reader(file, test::formula_rigs());
+        if (reader.campaign().runs_planned() > 0)
+            reader.details_of(reader.campaign().runs_planned() - 1);
     });
     return 0;
 }

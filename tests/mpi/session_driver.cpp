@@ -11,6 +11,7 @@
 #include "tests/mpi/formula_rig.hpp"
 
 #include "demens/base/error.hpp"
+#include "ensemble/campaign_reader.hpp"
 #include "ensemble/status/status_text.hpp"
 #include "ensemble/storage/durable.hpp"
 
@@ -101,7 +102,8 @@ int run(std::string const& file, int waves, int points, int lag)
 
 void dump(std::string const& file)
 {
-    auto const campaign = read_campaign_file(file, driver_rigs());
+    CampaignReader const reader(file, driver_rigs());
+    auto const& campaign = reader.campaign();
     for (auto const& run : campaign.all_runs()) {
         fmt::print("run {} wave {} point {} seed {} status {} reason '{}'", run.run, run.wave, run.point,
                    run.seed, static_cast<int>(run.status), run.reason);
@@ -110,7 +112,7 @@ void dump(std::string const& file)
         for (double const value : run.responses)
             fmt::print(" {:a}", value);
         if (run.status != rig::RunStatus::not_run)
-            for (auto const& snapshot : read_run_details(file, run.run, driver_rigs()).snapshots)
+            for (auto const& snapshot : reader.details_of(run.run).snapshots)
                 fmt::print(" {}:{}", snapshot.name, snapshot.x.size());
         fmt::print("\n");
     }

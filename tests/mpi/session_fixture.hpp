@@ -2,6 +2,7 @@
 
 #include "tests/mpi/formula_rig.hpp"
 
+#include "ensemble/campaign_reader.hpp"
 #include "ensemble/mpi/agreement.hpp"
 
 #include <filesystem>

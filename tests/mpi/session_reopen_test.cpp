@@ -92,7 +92,7 @@ TEST_F(ReopenTest, WhatIsRunAgainGivesTheSameBits)
     EXPECT_EQ(open.waves[1].analysis.size(), 0u) << "to be made anew";
     EXPECT_EQ(go_on(), WaveEnd::complete);
     expect_same_runs(before, read());
-    EXPECT_EQ(read_run_details(file_, 16, formula_rigs()).snapshots.size(), 2u);
+    EXPECT_EQ(CampaignReader(file_, formula_rigs()).details_of(16).snapshots.size(), 2u);
     EXPECT_FALSE(std::filesystem::exists(file_.string() + ".parts"));
 }
 
@@ -123,7 +123,7 @@ TEST_F(ReopenTest, ADroppedRunKeepsWhatItGave)
     EXPECT_EQ(runs[0].responses, before.all_runs()[0].responses);
     EXPECT_EQ(runs[4].reason, "dropped by hand: the feeder was blocked (was error: no sphere fits)");
     EXPECT_FALSE(rig::has_failed(runs[4].status));
-    EXPECT_EQ(read_run_details(file_, 0, formula_rigs()).snapshots.size(), 2u);
+    EXPECT_EQ(CampaignReader(file_, formula_rigs()).details_of(0).snapshots.size(), 2u);
     take_back({0, 4}, Fate::redo);
     EXPECT_EQ(go_on(), WaveEnd::complete);
     expect_same_runs(before, read());
@@ -163,7 +163,7 @@ TEST_F(ReopenTest, ADroppedRunOfAWaveInProgressKeepsWhatItGave)
     auto const runs = campaign.all_runs();
     EXPECT_EQ(runs[4].reason, "dropped by hand (was finished)");
     EXPECT_EQ(runs[4].responses, execute(campaign.input, runs[4], {}).record.responses);
-    EXPECT_EQ(read_run_details(file_, 4, formula_rigs()).snapshots.size(), 2u);
+    EXPECT_EQ(CampaignReader(file_, formula_rigs()).details_of(4).snapshots.size(), 2u);
 }
 
 TEST_F(ReopenTest, RefusesWhatIsNotThereAndWhatADiagnosisRestsOn)

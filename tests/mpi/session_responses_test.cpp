@@ -76,9 +76,9 @@ TEST_F(SessionTest, DetailsBelongToTheirRuns)
         session.plan_wave(WavePurpose::design, points);
         session.run_waves();
     }
-    auto const campaign = read_campaign_file(file_, formula_rigs());
-    for (auto const& run : campaign.all_runs()) {
-        auto const details = read_run_details(file_, run.run, formula_rigs());
+    CampaignReader const reader(file_, formula_rigs());
+    for (auto const& run : reader.campaign().all_runs()) {
+        auto const details = reader.details_of(run.run);
         ASSERT_EQ(details.series.names, (std::vector<std::string>{"time_s", "value"}));
         EXPECT_EQ(details.series.units, (std::vector<std::string>{"s", "1"}));
         EXPECT_EQ(details.series.columns[0], (std::vector<double>{0, 0.5, 1}));
@@ -106,7 +106,7 @@ TEST_F(SessionTest, DetailsBelongToTheirRuns)
         double const end = run.factors[0] > 0.5 ? 2 : 3;
         EXPECT_EQ(snapshot.wall_lines.back(), (std::array<double, 6>{0, 0.5, 1, end, 4, 5}));
     }
-    EXPECT_THROW(read_run_details(file_, 15, formula_rigs()), InputError);
+    EXPECT_THROW(CampaignReader(file_, formula_rigs()).details_of(15), InputError);
 }
 
 TEST_F(SessionTest, FailedRunsAreStatuses)

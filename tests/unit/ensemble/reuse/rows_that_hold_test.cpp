@@ -1,4 +1,5 @@
 // Which runs of one campaign another one may take over, and what they become there.
+#include "ensemble/campaign_reader.hpp"
 #include "ensemble/reuse/rows_that_hold.hpp"
 #include "ensemble/reuse/taken_waves.hpp"
 #include "ensemble/session.hpp"
@@ -135,7 +136,7 @@ TEST(TakenWaves, AreNumberedAnewAndReadBack)
     EXPECT_TRUE(is_complete(read.waves[0]));
     EXPECT_EQ(read.waves[0].runs[2].responses, waves[0].runs[2].responses);
     EXPECT_THAT(read.waves[1].runs[0].amplitudes, ElementsAre(0.2));
-    EXPECT_NO_THROW(read_run_details(folder / "here.h5", 3, line_rigs()));
+    EXPECT_NO_THROW(CampaignReader(folder / "here.h5", line_rigs()).details_of(3));
 
     // a bank that does not fit is refused with the path that differs
     create_campaign_file(folder / "bank.h5", there.input, there.waves);
