@@ -31,6 +31,19 @@ bool is_complete(Wave const& wave)
                         [](RunRecord const& run) { return run.status == rig::RunStatus::not_run; });
 }
 
+double time_in_runs(Wave const& wave)
+{
+    double sum = 0;
+    for (auto const& run : wave.runs)
+        sum += run.wall_time;
+    return sum;
+}
+
+double time_of_groups(Wave const& wave)
+{
+    return wave.groups * (wave.time_before + wave.wall_time);
+}
+
 Wave const* Campaign::open_wave() const
 {
     auto const found =

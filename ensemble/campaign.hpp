@@ -85,7 +85,8 @@ struct Wave
     std::vector<RunRecord> runs;
     int replicates = 0; //!< of each of its experiments; 0: as the campaign says
     std::vector<NamedArray> analysis;
-    double wall_time = 0; //!< [s]
+    double wall_time = 0;   //!< [s]
+    double time_before = 0; //!< [s] in which no group worked, since the wave before it in the same session
     int groups = 0;
     bool planned_ahead = false;  //!< before all runs of the wave before it were over
     std::string taken_from = {}; //!< campaign file whose runs these were, with its check sum; empty: own ones
@@ -96,6 +97,10 @@ struct Wave
 
 //! Whether the results of all runs are there.
 bool is_complete(Wave const& wave);
+//! [s] What the runs of a wave took, and what its groups had for it since the wave before; they are as busy
+//! as the one is of the other.
+double time_in_runs(Wave const& wave);
+double time_of_groups(Wave const& wave);
 
 //! A wave that is to be simulated.
 struct WavePlan

@@ -95,10 +95,12 @@ struct Session::Implementation
             WaveRunner runner(communicator, *groups, campaign->input, parts);
             bool const can_look_ahead =
                 is_last(number) || (is_last(number + 1) && !is_complete(campaign->waves.back()));
+            keeper->groups_begin(number);
             if (foresight && can_look_ahead && seen.work.suspicious.empty())
                 run_looking_ahead(runner, {*open, seen.work}, journal.get(), foresight);
             else
                 runner.run({{*open, seen.work}}, journal.get(), options.progress);
+            keeper->groups_end();
         }
         return WaveEnd::complete;
     }

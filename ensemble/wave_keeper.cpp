@@ -114,6 +114,13 @@ double WaveKeeper::wall_time_until(int number, double clock) const
     return std::max(0.0, clock - end_of(campaign_.waves[place - 1]));
 }
 
+void WaveKeeper::groups_begin(int number)
+{
+    if (idle_since_)
+        time_before_[number] += std::chrono::duration<double>(Clock::now() - *idle_since_).count();
+    idle_since_.reset();
+}
+
 void WaveKeeper::gather(MPI_Comm communicator, int number, SeenWave const& seen, int groups)
 {
     auto const place = static_cast<std::size_t>(number);
@@ -123,6 +130,7 @@ void WaveKeeper::gather(MPI_Comm communicator, int number, SeenWave const& seen,
     broadcast(communicator, crcs);
     finished.crcs.assign(crcs.begin(), crcs.end());
     finished.wave.groups = groups;
+    finished.wave.time_before = time_before_[number];
     finished.wave.wall_time = wall_time_until(number, seen.work.clock);
     ensemble::gather(communicator, file_, campaign_.input, parts_, finished);
     on_root(communicator, [&] {

@@ -3,9 +3,12 @@
 #include "ensemble/file/parts.hpp"
 #include "ensemble/run/wave_work.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <mpi.h>
+#include <optional>
 #include <vector>
 
 namespace demens::ensemble {
@@ -33,6 +36,10 @@ class WaveKeeper
     //! Looks at the shards of a wave; runs that are not begun again get their status here. No run of the wave
     //! may be in progress. \param journal of rank 0
     SeenWave look_at(MPI_Comm communicator, Wave const& wave, Journal* journal) const;
+    //! The groups begin with the runs of a wave, or have nothing left to do: the time from an end to a
+    //! beginning is stored with the wave.
+    void groups_begin(int number);
+    void groups_end() { idle_since_ = Clock::now(); }
     //! Moves the results of a wave whose runs are all over from the shards into the file.
     void gather(MPI_Comm communicator, int number, SeenWave const& seen, int groups);
     //! Stores what the calibration made of the runs up to a wave. Rank 0's array counts.
@@ -42,6 +49,9 @@ class WaveKeeper
     WaveState inspect_and_quarantine(MPI_Comm communicator, Wave const& wave, Journal* journal) const;
     double wall_time_until(int number, double clock) const;
 
+    using Clock = std::chrono::steady_clock;
+    std::optional<Clock::time_point> idle_since_;
+    std::map<int, double> time_before_; //!< [s] by wave
     std::filesystem::path file_;
     Campaign& campaign_;
     Parts const& parts_;

@@ -116,6 +116,7 @@ json waves_of(ensemble::Campaign const& campaign)
                         {"purpose", word_for(wave.purpose)},
                         {"wall_time", wave.wall_time},
                         {"groups", wave.groups},
+                        {"time_of_groups", time_of_groups(wave)},
                         {"runs", runs}});
     }
     return list;

@@ -142,6 +142,8 @@ void read_results(hid_t file, Wave& wave, CampaignInput const& input)
     auto const table = base + "/runs/";
     wave.groups = static_cast<int>(hdf5::integer_attribute(file, base, "groups"));
     wave.wall_time = hdf5::number_attribute(file, base, "wall_time_s");
+    if (hdf5::has_attribute(file, base, "time_before_s")) // not in files of earlier versions
+        wave.time_before = hdf5::number_attribute(file, base, "time_before_s");
     auto const status = hdf5::read<int>(file, table + "status", {wave.runs.size()});
     auto const reason = hdf5::read_texts(file, table + "reason");
     hdf5::require_shape(table + "reason", {reason.size()}, {wave.runs.size()});
@@ -304,6 +306,7 @@ void write_results(RowWriter& writer, Wave const& wave, CampaignInput const& inp
     auto const base = wave_path(wave.number);
     writer.set_attribute(base, "groups", static_cast<std::int64_t>(wave.groups));
     writer.set_attribute(base, "wall_time_s", wave.wall_time);
+    writer.set_attribute(base, "time_before_s", wave.time_before);
 
     auto const table = base + "/runs/";
     auto const& runs = wave.runs;

@@ -70,16 +70,18 @@ class Reader
     void take_complete(Wave const& wave)
     {
         WaveStatus shown = begin(wave);
-        double busy = 0;
         for (auto const& run : wave.runs) {
             ++shown.runs.done;
-            busy += run.wall_time;
             note_end(shown, run.run, run.status, run.reason);
         }
         shown.is_complete = true;
         shown.wall_time = wave.wall_time;
-        if (wave.wall_time > 0 && wave.groups > 0)
-            shown.busy_share = busy / (wave.wall_time * wave.groups);
+        if (wave.taken_from.empty() && time_of_groups(wave) > 0) {
+            shown.busy_share = time_in_runs(wave) / time_of_groups(wave);
+            time_in_runs_ += time_in_runs(wave);
+            time_of_groups_ += time_of_groups(wave);
+            status_.busy_share = time_in_runs_ / time_of_groups_;
+        }
         end(shown);
     }
 
@@ -216,6 +218,7 @@ class Reader
     Campaign const& campaign_;
     CampaignStatus& status_;
     int reasons_ = 0;
+    double time_in_runs_ = 0, time_of_groups_ = 0; //!< [s] of complete waves
     double seconds_open_ = 0, squares_open_ = 0, longest_open_ = 0;
 };
 

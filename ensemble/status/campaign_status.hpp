@@ -5,6 +5,7 @@
 #include "ensemble/verdict.hpp"
 
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,8 +44,9 @@ struct WaveStatus
     WavePurpose purpose = WavePurpose::design;
     RunCounts runs;
     bool is_complete = false;
-    double wall_time = 0;         //!< [s]; of a complete wave
-    double busy_share = 0;        //!< of its groups' time spent in runs; NaN while it goes on
+    double wall_time = 0; //!< [s]; of a complete wave
+    double busy_share =
+        0; //!< of its groups' time, from the end of the wave before, spent in runs; NaN while it goes on
     StartsWithoutEnd begun_again; //!< of its runs; zeros once it is complete
 };
 
@@ -111,9 +113,11 @@ struct CampaignStatus
     std::vector<Extension> extensions; //!< changes of its input since it began
     std::vector<WaveStatus> waves;
     RunCounts all;
-    std::vector<FailureStatus> failures;    //!< most frequent first
-    std::vector<RunInProgress> in_progress; //!< longest first
-    std::optional<TimeLeft> time_left;      //!< none: nothing is to be run, or no run has finished
+    double busy_share =
+        std::numeric_limits<double>::quiet_NaN(); //!< of all complete waves; NaN: none was run here
+    std::vector<FailureStatus> failures;          //!< most frequent first
+    std::vector<RunInProgress> in_progress;       //!< longest first
+    std::optional<TimeLeft> time_left;            //!< none: nothing is to be run, or no run has finished
     std::optional<BestFit> best;
 };
 

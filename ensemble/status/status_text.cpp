@@ -38,6 +38,12 @@ std::string extensions_text(CampaignStatus const& status)
     return text;
 }
 
+//! Empty where it is not known.
+std::string share_text(double share)
+{
+    return std::isfinite(share) && share > 0 ? fmt::format("{:.0f} %", 100 * share) : "";
+}
+
 std::string waves_text(CampaignStatus const& status)
 {
     auto text = fmt::format("{:<6} {:<14} {:>6} {:>6} {:>8} {:>7} {:>13} {:>6}\n", "wave", "purpose", "runs",
@@ -46,11 +52,10 @@ std::string waves_text(CampaignStatus const& status)
         text += fmt::format("{:<6} {:<14} {:>6} {:>6} {:>8} {:>7} {:>13} {:>6}\n", wave.number,
                             word_for(wave.purpose), wave.runs.planned, wave.runs.done, wave.runs.running,
                             wave.runs.failed, wave.is_complete ? duration_text(wave.wall_time) : "",
-                            std::isfinite(wave.busy_share) && wave.busy_share > 0
-                                ? fmt::format("{:.0f} %", 100 * wave.busy_share)
-                                : "");
-    return text + fmt::format("{:<21} {:>6} {:>6} {:>8} {:>7}\n\n", "all", status.all.planned,
-                              status.all.done, status.all.running, status.all.failed);
+                            share_text(wave.busy_share));
+    return text + fmt::format("{:<21} {:>6} {:>6} {:>8} {:>7} {:>13} {:>6}\n\n", "all", status.all.planned,
+                              status.all.done, status.all.running, status.all.failed, "",
+                              share_text(status.busy_share));
 }
 
 std::string failures_text(CampaignStatus const& status)

@@ -52,11 +52,10 @@ function show_timing(parent) {
                 text: `run ${run.run}: ${duration(run.wall_time)}, ${run.status}`});
         }
         const length = length_of(wave);
-        const groups = wave.groups || 1 + ran.reduce((most, run) => Math.max(most, run.group), 0);
         offset += length;
         borders.push({time: offset});
-        if (wave.wall_time > 0) {
-            capacity += length * groups;
+        if (wave.time_of_groups > 0) {
+            capacity += wave.time_of_groups;
             used += ran.reduce((sum, run) => sum + run.wall_time, 0);
         }
     }
@@ -72,7 +71,7 @@ function show_timing(parent) {
     const mean = times.reduce((sum, time) => sum + time, 0) / times.length;
     parent.append(element('p', {}, `${plural(bars.length, 'run')} in ${duration(offset)}, `
         + `${duration(mean * unit[0])} a run on average`
-        + (capacity > 0 ? `; groups were busy ${number(100 * used / capacity, 3)} % of the waves' time.` : '.')));
+        + (capacity > 0 ? `; groups were busy ${number(100 * used / capacity, 3)} % of the time, gather and choice of points included.` : '.')));
     legend(parent, [...new Set(campaign.waves.map((wave) => wave.purpose))].map((purpose) => [purpose, purpose_colour(purpose)])
         .concat(failed_runs.length > 0 ? [['failed', colours.failed]] : []));
     plot(parent, 'timing', {

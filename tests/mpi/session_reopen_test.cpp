@@ -3,6 +3,7 @@
 #include "demens/base/error.hpp"
 #include "ensemble/reopen.hpp"
 #include "ensemble/run/execute.hpp"
+#include "ensemble/status/campaign_status.hpp"
 
 #include <cstring>
 
@@ -77,6 +78,20 @@ TEST_F(ReopenTest, NothingIsPlannedAheadOfAWaveThatIsComplete)
     }
     EXPECT_EQ(looks, 0);
     expect_same_runs(before, read());
+}
+
+TEST_F(ReopenTest, TimeBetweenWavesIsStoredWithTheSecond)
+{
+    run_campaign();
+    auto const campaign = read();
+    EXPECT_EQ(campaign.waves[0].time_before, 0);
+    EXPECT_GT(campaign.waves[1].time_before, 0);
+    auto const status = read_status(file_, formula_rigs());
+    EXPECT_DOUBLE_EQ(status.busy_share, (time_in_runs(campaign.waves[0]) + time_in_runs(campaign.waves[1])) /
+                                            (campaign.waves[0].groups * campaign.waves[0].wall_time +
+                                             campaign.waves[1].groups * (campaign.waves[1].time_before +
+                                                                         campaign.waves[1].wall_time)));
+    EXPECT_LE(status.busy_share, 1);
 }
 
 TEST_F(ReopenTest, WhatIsRunAgainGivesTheSameBits)

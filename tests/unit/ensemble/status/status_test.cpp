@@ -89,6 +89,7 @@ TEST(Status, OfANewCampaign)
     EXPECT_EQ(json["state"], "waiting");
     EXPECT_TRUE(json["best"].is_null());
     EXPECT_TRUE(json["time_left"].is_null());
+    EXPECT_TRUE(json["busy_share"].is_null());
     EXPECT_EQ(json["waves"].size(), 0u);
 }
 
