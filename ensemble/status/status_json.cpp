@@ -134,7 +134,7 @@ std::string status_json(CampaignStatus const& status)
                       {"extensions", extensions_of(status.extensions)},
                       {"runs", counts_of(status.all)},
                       {"waves", waves_of(status)},
-                           {"busy_share", number(status.busy_share)},
+                      {"busy_share", number(status.busy_share)},
                       {"failures", failures_of(status)},
                       {"in_progress", in_progress_of(status)},
                       {"time_left", time_left_of(status)},

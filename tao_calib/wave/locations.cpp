@@ -19,12 +19,11 @@ Locations::Locations(Objective const& objective, UnitCube const& cube, ensemble:
 
 Location& Locations::at(ensemble::RunRecord const& run)
 {
-    VectorXd const factors =
-        Eigen::Map<VectorXd const>(run.factors.data(), static_cast<Eigen::Index>(run.factors.size()));
-    auto found = std::find_if(locations_.begin(), locations_.end(),
-                              [&](auto const& location) { return location.factors == factors; });
-    if (found == locations_.end()) {
+    auto const [found, is_new] = place_.try_emplace(run.factors, locations_.size());
+    if (is_new) {
         int const m = objective_->size();
+        VectorXd const factors =
+            Eigen::Map<VectorXd const>(run.factors.data(), static_cast<Eigen::Index>(run.factors.size()));
         locations_.push_back({factors,
                               cube_->to_unit(factors),
                               {},
@@ -33,11 +32,11 @@ Location& Locations::at(ensemble::RunRecord const& run)
                               VectorXd::Constant(m, std::numeric_limits<double>::quiet_NaN()),
                               VectorXd::Zero(m),
                               VectorXd::Zero(m)});
-        found = locations_.end() - 1;
     }
-    if (std::find(found->points.begin(), found->points.end(), run.point) == found->points.end())
-        found->points.push_back(run.point);
-    return *found;
+    auto& location = locations_[found->second];
+    if (std::find(location.points.begin(), location.points.end(), run.point) == location.points.end())
+        location.points.push_back(run.point);
+    return location;
 }
 
 Location const& Locations::add(ensemble::RunRecord const& run)

@@ -4,6 +4,7 @@
 #include "tao_calib/surrogate/surrogate.hpp"
 #include "tao_calib/unit_cube.hpp"
 
+#include <map>
 #include <vector>
 
 namespace demens::tao_calib {
@@ -58,7 +59,8 @@ class Locations
 
     Objective const* objective_;
     UnitCube const* cube_;
-    std::vector<Location> locations_; //!< in the order of their first design points
+    std::vector<Location> locations_;                  //!< in the order of their first design points
+    std::map<std::vector<double>, std::size_t> place_; //!< in locations_, by factors
     int finished_runs_ = 0, failed_runs_ = 0;
 };
 
