@@ -2,6 +2,7 @@
 
 #include "demens/base/contract.hpp"
 #include "demens/base/error.hpp"
+#include "gap/campaign/prediction.hpp"
 #include "gap/campaign/report.hpp"
 #include "report/analysis.hpp"
 #include "report/answers.hpp"
@@ -259,6 +260,7 @@ json document_of(ensemble::Campaign const& campaign, DetailsOf const& details_of
             {"findings", findings_of(analysis)},
             {"screening", screening_of(analysis)},
             {"gap", gap_of(campaign)},
+            {"predicted", gap::prediction_document(campaign)},
             {"details", details_of_shown_runs(campaign, analysis, details_of)},
             {"failed_pictures", failed_pictures(campaign, details_of)},
             {"asked_pictures", asked_of(campaign, extras.pictures, stills_of)},

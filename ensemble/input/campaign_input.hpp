@@ -182,6 +182,7 @@ struct GapOptions
     std::vector<std::string> held_out;   //!< names of experiments
     std::vector<std::string> candidates; //!< names of experiments that might be made next
     std::vector<std::string> effects;    //!< of the catalogue or of the campaign; empty: all that it allows
+    bool diagnose = true;       //!< false: what is held out is compared with, and no effect is looked for
     double form_floor = 0.04;   //!< share of a response that the right model would miss, its laws being forms
     double form_error = 0.2;    //!< share of an effect's signature that another form of its law would change
     int packings = 6;           //!< runs of the base model and of a full signature, each with its own packing

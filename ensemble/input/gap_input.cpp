@@ -68,6 +68,13 @@ std::optional<GapOptions> read_gap(InputTable const& file, std::vector<Experimen
                      [](auto const& e) { return e.role == ExperimentRole::calibrate; }))
         throw table.error(table.has("held_out") ? "held_out" : "candidates",
                           "names every experiment, so that none is left to calibrate on");
+    if (!gap.diagnose)
+        for (auto const* key : {"effects", "candidates"})
+            if (table.has(key))
+                throw table.error(key, "belongs to a diagnosis, and there is none with diagnose = false");
+    if (!gap.diagnose && gap.held_out.empty())
+        throw table.error("diagnose", "is false, and no experiment is held out, so that [gap] would do "
+                                      "nothing; name one or more in held_out");
     for (auto const& name : gap.effects)
         if (std::count(gap.effects.begin(), gap.effects.end(), name) > 1)
             throw table.error("effects", fmt::format("names \"{}\" twice", name));

@@ -157,6 +157,10 @@ std::vector<Field<GapOptions>> const& fields_of()
 {
     static std::vector<Field<GapOptions>> const fields = {
         field(
+            &GapOptions::diagnose,
+            {.key = "diagnose",
+             .doc = "false: held-out experiments are simulated at the estimate and compared, nothing else"}),
+        field(
             &GapOptions::form_floor,
             {.key = "form_floor",
              .doc = "share of a response that even the right model would miss, since its laws are forms [-]",

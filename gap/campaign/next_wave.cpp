@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "gap/campaign/base_surfaces.hpp"
+#include "gap/campaign/calibrated_model.hpp"
 #include "gap/campaign/campaign_signature.hpp"
 #include "gap/campaign/spread_signature.hpp"
 
@@ -155,6 +156,25 @@ std::optional<WavePlan> within_budget(Campaign const& campaign, WavePlan plan)
     return plan;
 }
 
+//! The calibrated model on what is held out, without any effect.
+std::optional<WavePlan> prediction_wave(Campaign const& campaign)
+{
+    if (waves_of(campaign, WavePurpose::closure, ExperimentRole::hold_out) > 0)
+        return std::nullopt;
+    PlanWriter writer(WavePurpose::closure, {}, experiments_of(campaign.input, ExperimentRole::hold_out),
+                      options_of(campaign.input).packings);
+    writer.add(1, calibrated_model(campaign, Centre::estimate).point);
+    return writer.plan();
+}
+
+//! What is said of a campaign that only compares with what is held out.
+std::string prediction_announcement(CampaignInput const& input)
+{
+    auto const held_out = experiments_of(input, ExperimentRole::hold_out).size();
+    return fmt::format("held out: {} experiments, {} runs at the estimate once it is known", held_out,
+                       held_out * static_cast<std::size_t>(options_of(input).packings));
+}
+
 } // namespace
 
 Price price_of(CampaignInput const& input)
@@ -187,6 +207,8 @@ std::string price_text(CampaignInput const& input)
 
 std::vector<std::string> announcement(CampaignInput const& input)
 {
+    if (!options_of(input).diagnose)
+        return {prediction_announcement(input)};
     auto const price = price_of(input);
     int const most = options_of(input).runs;
     if (price.screening > most)
@@ -268,6 +290,8 @@ std::optional<WavePlan> wave_beside_bank(Campaign const& campaign)
 //! is held out; then the experiments that might be made. What a bank has is not simulated again.
 std::optional<WavePlan> next_wave(Campaign const& campaign)
 {
+    if (!options_of(campaign.input).diagnose)
+        return prediction_wave(campaign);
     int const looks = waves_of(campaign, WavePurpose::signatures, ExperimentRole::calibrate);
     bool const is_tested = waves_of(campaign, WavePurpose::closure, ExperimentRole::hold_out) > 0;
     bool const is_considered = waves_of(campaign, WavePurpose::signatures, ExperimentRole::consider) > 0 ||

@@ -6,6 +6,7 @@
 #include "gap/campaign/closure.hpp"
 #include "gap/campaign/next_wave.hpp"
 #include "gap/campaign/percent.hpp"
+#include "gap/campaign/prediction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -339,6 +340,21 @@ nlohmann::json json_of(Attribution const& attribution, Diagnosis const& found)
             {"groups", groups}};
 }
 
+bool diagnoses(Campaign const& campaign)
+{
+    return campaign.input.gap.value_or(ensemble::GapOptions{}).diagnose;
+}
+
+std::string compared_text(Campaign const& campaign)
+{
+    auto const text = prediction_text(campaign);
+    if (text.empty())
+        throw InputError(
+            "nothing that is held out has been simulated yet: run this campaign, or go on with it, "
+            "with: mpirun -n N demens FILE.h5");
+    return text;
+}
+
 } // namespace
 
 bool has_diagnosis(Campaign const& campaign)
@@ -350,6 +366,8 @@ bool has_diagnosis(Campaign const& campaign)
 
 std::string gap_text(Campaign const& campaign)
 {
+    if (!diagnoses(campaign))
+        return compared_text(campaign);
     require_signatures(campaign);
     Diagnosis const found(campaign);
     auto const closure = closure_of(campaign, found);
@@ -357,6 +375,7 @@ std::string gap_text(Campaign const& campaign)
     write_where(text, found);
     write_which(text, found, judged(found, closure));
     write_how_far(text, found, closure);
+    text += prediction_text(campaign);
     write_next(text, ranked_experiments(campaign, found));
     write_assumed(text, found, campaign);
     return text;
@@ -364,6 +383,8 @@ std::string gap_text(Campaign const& campaign)
 
 nlohmann::json gap_document(Campaign const& campaign)
 {
+    if (!diagnoses(campaign))
+        return {{"campaign", campaign.input.name}, {"predicted", prediction_document(campaign)}};
     require_signatures(campaign);
     Diagnosis const found(campaign);
     auto const options = campaign.input.gap.value_or(ensemble::GapOptions{});
@@ -375,6 +396,7 @@ nlohmann::json gap_document(Campaign const& campaign)
         {"where", json_of(found.located(), found)},
         {"which", json_of(judged(found, closure), found)},
         {"how_far", closure ? json_of(*closure, found) : nlohmann::json()},
+        {"predicted", prediction_document(campaign)},
         {"next", json_of(ranked_experiments(campaign, found))},
         {"simpler_rules", {{"cosine", rules.cosine}, {"refit", rules.refit}, {"criterion", rules.criterion}}},
         {"assumed",

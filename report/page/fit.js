@@ -16,7 +16,7 @@ function show_fit(parent) {
     parent.append(columns);
     left.append(element('h3', {}, 'Factors'), ...goodness_of_fit(), factor_table(),
                 element('p', {class: 'note'}, optimum.verdict_rule), element('h3', {}, 'Targets'), target_table(),
-                ...targets_out_of_reach());
+                ...targets_out_of_reach(), ...predicted_table());
     show_deviations(right);
 }
 
@@ -87,6 +87,27 @@ function target_table() {
         ];
     });
     return simple_table(['response', 'measured', 'best run', 'difference', 'estimate', 'scale', 'tolerance'], rows);
+}
+
+// What is held out: measured, and simulated at the estimate with packings of their own.
+function predicted_table() {
+    const predicted = campaign.predicted || [];
+    if (predicted.length === 0) return [];
+    const rows = predicted.map((one) => {
+        const off = known(one.mean) ? (one.mean - one.measured) / one.scale : null;
+        return [
+            element('td', {}, `${one.cell.slice(0, one.cell.indexOf('.'))}: ${label_of(one.cell.slice(one.cell.indexOf('.') + 1), one.units)}`),
+            element('td', {}, number(one.measured)),
+            element('td', {}, element('b', {}, known(one.mean) ? number(one.mean) : 'no run finished'), one.sd > 0 ? ` ± ${number(one.sd, 2)}` : ''),
+            element('td', {}, known(off) ? signed(one.mean - one.measured) : '–'),
+            element('td', {}, number(one.scale)),
+            element('td', {}, known(off) ? signed(off) : '–'),
+        ];
+    });
+    const packings = Math.max(...predicted.map((one) => one.simulated.length));
+    return [element('h3', {}, 'Predicted, not fitted'),
+        simple_table(['response', 'measured', 'predicted', 'difference', 'scale', 'in scales'], rows),
+        element('p', {class: 'note'}, `Experiments that took no part in the calibration, simulated at the estimate ${packings} times each, with packings of their own, and the mean taken; ± is their scatter.`)];
 }
 
 // Warnings of targets that no run came past, and of responses that never change.

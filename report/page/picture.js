@@ -191,11 +191,13 @@ function show_pictures_of_shown_runs(parent) {
         return;
     }
     const drawings = [];
-    for (const details of campaign.details) {
+    const without = campaign.details.filter((details) => !details.absent && details.snapshots.length === 0);
+    if (without.length > 0)
+        parent.append(element('p', {class: 'note'}, `No pictures of ${without.map((details) => campaign.experiments[details.experiment].name).join(', ')}: the rig keeps none of its particles.`));
+    for (const details of campaign.details.filter((one) => !without.includes(one))) {
         const head = element('p', {class: 'note'}, title_of_details(details));
         parent.append(head);
         if (details.absent) head.append(`: no picture, ${details.absent}`);
-        else if (details.snapshots.length === 0) head.append(': this rig keeps no picture of its particles');
         const row = element('div', {class: 'columns', style:
             `grid-template-columns: repeat(${Math.min(Math.max(details.snapshots.length, 2), 3)}, 1fr)`});
         parent.append(row);
