@@ -54,12 +54,25 @@ void print_wave(ensemble::Campaign const& campaign)
                    headline(ensemble::fit_quality(campaign.input, responses->data)));
 }
 
+//! With more groups they wait for rank 0, which gathers alone while waves overlap (tests/bench/scheduler).
+int constexpr most_groups_to_overlap = 1000;
+
+std::string overlap_text(ensemble::Session const& session)
+{
+    if (!session.campaign().input.search.overlap || session.groups() <= most_groups_to_overlap)
+        return "";
+    return fmt::format(
+        "{} groups and waves that overlap: all may wait for the one rank that gathers meanwhile; so "
+        "many are busier with eight runs a group in a wave and [search] overlap = false\n",
+        session.groups());
+}
+
 int calibrate(fs::path const& file, bool simulates)
 {
     ensemble::Session session(MPI_COMM_WORLD, file, {.simulates = simulates});
     bool const is_root = ensemble::rank_of(MPI_COMM_WORLD) == 0;
     if (is_root)
-        fmt::print(stderr, "{}", other_input_text(file, session.campaign().input));
+        fmt::print(stderr, "{}{}", other_input_text(file, session.campaign().input), overlap_text(session));
     auto const end = tao_calib::calibrate(session, MPI_COMM_WORLD, print_wave);
     if (is_root && end != tao_calib::CalibrationEnd::drained)
         fmt::print("{}\n", tao_calib::summary(session.campaign()));
