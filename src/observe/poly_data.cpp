@@ -61,6 +61,20 @@ std::string PolyData::array_xml(std::string const& name, char const* type, int c
                        type, name, components, to_base64(block));
 }
 
+//! As VTK writes them: codes of the letters, each word ends with 0.
+void PolyData::add_words(std::string const& name, std::vector<std::string> const& words)
+{
+    std::string codes;
+    for (auto const& word : words) {
+        for (char const letter : word)
+            codes += fmt::format("{} ", static_cast<unsigned char>(letter));
+        codes += "0 ";
+    }
+    words_xml_ += fmt::format("<Array type=\"String\" Name=\"{}\" NumberOfTuples=\"{}\" "
+                              "format=\"ascii\">{}</Array>\n",
+                              name, words.size(), codes);
+}
+
 void PolyData::write(std::filesystem::path const& file) const
 {
     std::string counts;
@@ -72,11 +86,12 @@ void PolyData::write(std::filesystem::path const& file) const
                     "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
                     "header_type=\"UInt64\">\n<PolyData>\n"
                     "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-                    "format=\"ascii\">{}</DataArray></FieldData>\n"
+                    "format=\"ascii\">{}</DataArray>\n{}</FieldData>\n"
                     "<Piece NumberOfPoints=\"{}\"{}>\n<Points>\n{}</Points>\n<PointData>\n{}</PointData>\n"
+                    "<CellData>\n{}</CellData>\n"
                     "<{}>\n{}</{}>\n</Piece>\n</PolyData>\n</VTKFile>\n",
-                    time_, points_, counts, points_xml_, point_data_xml_, cells_kind_, cells_xml_,
-                    cells_kind_));
+                    time_, words_xml_, points_, counts, points_xml_, point_data_xml_, cell_data_xml_,
+                    cells_kind_, cells_xml_, cells_kind_));
 }
 
 } // namespace demens::observe

@@ -23,6 +23,13 @@ class PolyData
     {
         point_data_xml_ += array(name, components, values);
     }
+    template <class T>
+    void add_cell_data(std::string const& name, int components, std::vector<T> const& values)
+    {
+        cell_data_xml_ += array(name, components, values);
+    }
+    //! Words of the whole file.
+    void add_words(std::string const& name, std::vector<std::string> const& words);
     //! `kind` is Verts or Polys; cell i has the points from end i - 1 to end i.
     void set_cells(std::string const& kind, std::vector<std::int64_t> const& connectivity,
                    std::vector<std::int64_t> const& ends);
@@ -40,7 +47,7 @@ class PolyData
 
     std::size_t points_, cells_ = 0;
     double time_;
-    std::string points_xml_, point_data_xml_, cells_kind_, cells_xml_;
+    std::string points_xml_, point_data_xml_, cell_data_xml_, words_xml_, cells_kind_, cells_xml_;
 };
 
 } // namespace demens::observe

@@ -23,6 +23,13 @@ std::vector<float> interleaved(std::vector<double> const& x, std::vector<double>
     return xyz;
 }
 
+//! What the numbers of an array stand for, where it is known.
+void add_names(PolyData& data, std::string const& name, std::vector<std::string> const& names)
+{
+    if (!names.empty())
+        data.add_words(name, names);
+}
+
 PolyData particles_of(Snapshot const& snapshot)
 {
     std::size_t const count = snapshot.x.size();
@@ -42,13 +49,20 @@ PolyData particles_of(Snapshot const& snapshot)
     if (snapshot.material.size() == count)
         data.add_point_data("material", 1,
                             std::vector<std::int64_t>(snapshot.material.begin(), snapshot.material.end()));
+    if (snapshot.group.size() == count && count > 0)
+        data.add_point_data("group", 1, snapshot.group);
+    add_names(data, "material_names", snapshot.names.materials);
+    add_names(data, "group_names", snapshot.names.groups);
     data.add_point_data("contacts", 1, contact_numbers(snapshot));
     std::vector<std::int64_t> points(count), ends(count);
     for (std::size_t i = 0; i < count; ++i) {
         points[i] = static_cast<std::int64_t>(i);
         ends[i] = points[i] + 1;
     }
-    data.add_point_data("id", 1, points);
+    data.add_point_data("id", 1,
+                        snapshot.id.size() == count
+                            ? std::vector<std::int64_t>(snapshot.id.begin(), snapshot.id.end())
+                            : points);
     data.set_cells("Verts", points, ends);
     return data;
 }
@@ -81,9 +95,12 @@ std::array<double, 6> cut(std::array<double, 6> wall, Snapshot const& snapshot)
 PolyData walls_of(Snapshot const& snapshot)
 {
     std::vector<float> corners;
-    std::vector<std::int64_t> faces, ends;
-    for (auto const& whole : snapshot.walls) {
-        auto const wall = cut(whole, snapshot);
+    std::vector<std::int64_t> faces, ends, numbers;
+    auto const number_of = [](std::vector<std::int64_t> const& known, std::size_t k) {
+        return k < known.size() ? known[k] : -1;
+    };
+    for (std::size_t k = 0; k < snapshot.walls.size(); ++k) {
+        auto const wall = cut(snapshot.walls[k], snapshot);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             std::size_t const u = (axis + 1) % 3, v = (axis + 2) % 3;
             if (wall[u] == wall[u + 3] || wall[v] == wall[v + 3])
@@ -100,19 +117,23 @@ PolyData walls_of(Snapshot const& snapshot)
                         corners.push_back(static_cast<float>(value));
                 }
                 ends.push_back(static_cast<std::int64_t>(faces.size()));
+                numbers.push_back(number_of(snapshot.wall_of_box, k));
             }
         }
     }
-    for (auto const& triangle : snapshot.wall_triangles) {
+    for (std::size_t k = 0; k < snapshot.wall_triangles.size(); ++k) {
         for (int corner = 0; corner < 3; ++corner)
             faces.push_back(static_cast<std::int64_t>(corners.size() / 3) + corner);
-        for (double const value : triangle)
+        for (double const value : snapshot.wall_triangles[k])
             corners.push_back(static_cast<float>(value));
         ends.push_back(static_cast<std::int64_t>(faces.size()));
+        numbers.push_back(number_of(snapshot.wall_of_triangle, k));
     }
     PolyData data(corners.size() / 3, snapshot.time);
     data.set_points(corners);
     data.set_cells("Polys", faces, ends);
+    data.add_cell_data("wall", 1, numbers);
+    add_names(data, "wall_names", snapshot.names.walls);
     return data;
 }
 

@@ -23,7 +23,8 @@ struct EnergyLedger
     double lost_to_cohesion = 0; //!< bonds that form or break
     double work_of_walls =
         0; //!< done on the particles, by shaking too; taking away a wall takes what its contacts hold
-    double brought_in = 0;  //!< what the particles had at the start, or when they were added
+    double brought_in = 0;  //!< what the particles had at the start, or when they were added, less what those
+                            //!< had that were taken out
     double turned_over = 0; //!< most that was kinetic, elastic or lost at one time
 
     double lost() const { return lost_to_damping + lost_to_friction + lost_to_rolling + lost_to_cohesion; }

@@ -10,6 +10,7 @@
 #include "demens/dem/wall_motion.hpp"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace demens::dem {
@@ -27,7 +28,7 @@ enum class Health
 //! How many of everything there are. Contacts: with a force in the last step, or within reach of one.
 struct Counts
 {
-    std::size_t particles = 0; //!< grains: spheres, and bodies of several elements
+    std::size_t particles = 0; //!< grains that there are: spheres, and bodies of several elements
     std::size_t elements = 0;  //!< spheres, and elements of bodies
     std::size_t contacts = 0;  //!< among particles
     std::size_t wall_contacts = 0;
@@ -43,6 +44,7 @@ class Engine
     virtual ~Engine() = default;
 
     virtual IdRange add(BodyBatch const& bodies) = 0;
+    virtual void remove(std::span<ParticleId const> ids) = 0;
     virtual WallId add(Wall const& wall) = 0;
     virtual void place(WallId wall, WallShape const& shape) = 0;
     virtual void move(WallId wall, WallVelocity const& velocity) = 0;

@@ -27,6 +27,9 @@ class Simulation
     //! elements, of a sphere one. \throws InputError for a body that the engine, or its team, cannot move
     IdRange add(BodyBatch const& bodies) { return engine_->add(bodies); }
     ParticleId add(Body const& body) { return ParticleId{engine_->add(BodyBatch{body}).first}; }
+    //! Takes spheres out; the ids of the others stay, and none is given again. \throws InputError for an
+    //! engine, or grains, that cannot do it
+    void remove(std::span<ParticleId const> ids) { engine_->remove(ids); }
     WallId add(Wall const& wall) { return engine_->add(wall); }
     //! Puts a wall elsewhere, or gives it another shape; it stands still there. The pivot stays.
     void place(WallId wall, WallShape const& shape) { engine_->place(wall, shape); }

@@ -7,6 +7,12 @@
 
 namespace demens::observe {
 
+//! What the numbers of a snapshot stand for.
+struct SnapshotNames
+{
+    std::vector<std::string> materials = {}, groups = {}, walls = {};
+};
+
 //! Particles at one moment, for pictures and files.
 struct Snapshot
 {
@@ -17,6 +23,7 @@ struct Snapshot
     std::vector<double> wx, wy, wz;                           //!< [rad/s]; empty where they were not kept
     std::vector<double> fx = {}, fy = {}, fz = {}, mass = {}; //!< [N], [kg]; for frames, else empty
     std::vector<std::uint32_t> material = {};                 //!< its number; for frames, else empty
+    std::vector<std::uint32_t> id = {}; //!< stays with a particle; for frames, else empty
     //! Number of the grain of each, where grains are made of several spheres; for frames, not kept in a
     //! campaign file.
     std::vector<std::int64_t> grain = {};
@@ -25,6 +32,10 @@ struct Snapshot
     std::vector<std::array<double, 6>> wall_lines = {};
     //! Surfaces of other walls, three corners each [m]; for frames, not kept in a campaign file.
     std::vector<std::array<double, 9>> wall_triangles = {};
+    // For frames, else empty:
+    std::vector<std::int64_t> group = {}; //!< number of each particle's; -1: none
+    std::vector<std::int64_t> wall_of_box = {}, wall_of_triangle = {}; //!< numbers of walls
+    SnapshotNames names = {};
 };
 
 } // namespace demens::observe

@@ -16,10 +16,18 @@ enum class EngineChoice : std::uint8_t
     automatic     //!< a CUDA device where there is one that can do the run, else the CPU
 };
 
+//! What a run needs that not every engine can do.
+struct EngineNeeds
+{
+    bool team = false;         //!< several ranks share it
+    bool rigid_bodies = false; //!< grains of several spheres, or polyhedra
+    bool removal = false;      //!< particles are taken out
+};
+
 //! What a run needs that only the CPU's engine can do, in words; empty: nothing.
-std::string needs_cpu(bool with_team, bool with_rigid_bodies = false);
+std::string needs_cpu(EngineNeeds const& needs);
 //! \throws InputError where the engine that is asked for cannot do it.
-dem::EngineKind chosen_engine(EngineChoice choice, bool with_team, bool with_rigid_bodies = false);
+dem::EngineKind chosen_engine(EngineChoice choice, EngineNeeds const& needs);
 
 } // namespace demens::rig
 

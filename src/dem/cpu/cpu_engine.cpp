@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <unordered_set>
 #include <utility>
 
 namespace demens::dem {
@@ -106,6 +107,27 @@ void CpuEngine::add(Body const& body, Vector3 const& v)
     if (!particles.hull.empty())
         particles.hull.push_back(0);
     accounts_->particle_added(*params_, state_);
+}
+
+//! Neighbours feel the loads of the last step once more, those of what is gone too, as when a wall goes.
+void CpuEngine::remove(std::span<ParticleId const> ids)
+{
+    if (!state_.bodies.empty())
+        throw InputError("grains that are not spheres ([shape.NAME]) cannot be taken out of a simulation");
+    if (ids.empty())
+        return;
+    std::unordered_set<std::uint32_t> numbers;
+    for (ParticleId const id : ids)
+        numbers.insert(id.value);
+    DEMENS_EXPECT(numbers.size() == ids.size(), "each is named once");
+    accounts_->before_removal(*params_, state_);
+    partition_->remove(state_.particles, state_.contacts, numbers);
+    state_.particles_removed += static_cast<std::uint32_t>(ids.size());
+    accounts_->after_removal(*params_, state_);
+    note_change();
+    DEMENS_EXPECT(partition_->sum(static_cast<double>(state_.particles.owned())) + state_.particles_removed ==
+                      state_.particles_added,
+                  "all of them were there");
 }
 
 WallId CpuEngine::add(Wall const& wall)

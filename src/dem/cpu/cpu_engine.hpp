@@ -21,6 +21,7 @@ class CpuEngine final : public Engine
     CpuEngine(contact::Model const& model, SimulationOptions const& options, StateRecord const& record);
 
     IdRange add(BodyBatch const& bodies) override;
+    void remove(std::span<ParticleId const> ids) override;
     WallId add(Wall const& wall) override;
     void place(WallId wall, WallShape const& shape) override;
     void move(WallId wall, WallVelocity const& velocity) override;

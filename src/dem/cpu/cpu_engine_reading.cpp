@@ -114,8 +114,9 @@ Counts CpuEngine::counts()
         count_touching(contacts.pairs) + count_touching(contacts.ghosts) + count_touching(state_.hulls.pairs);
     double const walls = count_touching(contacts.walls) + count_touching(state_.hulls.walls);
     RigidBodies const& bodies = state_.bodies;
-    return {.particles = state_.particles_added - (bodies.all_ids() - bodies.size()),
-            .elements = state_.particles_added,
+    std::size_t const elements = state_.particles_added - state_.particles_removed;
+    return {.particles = elements - (bodies.all_ids() - bodies.size()),
+            .elements = elements,
             .contacts = static_cast<std::size_t>(partition_->sum(pairs)),
             .wall_contacts = static_cast<std::size_t>(partition_->sum(walls)),
             .rebuilds = state_.lists.rebuilds,

@@ -37,6 +37,16 @@ class EnergyMeter final : public EnergyAccounts
             state.tally.brought_in += energy_on_entry_of_body(params, state);
     }
 
+    // They take along what they have, and what their contacts hold.
+    void before_removal(Params const& params, State const& state) override
+    {
+        present_ = present_energy(params, state).gap();
+    }
+    void after_removal(Params const& params, State& state) override
+    {
+        state.tally.brought_in -= present_ - present_energy(params, state).gap();
+    }
+
     // Places that jump by a period and contacts with walls that are no longer there change the energy.
     void before_search(Params const& params, State const& state) override
     {
@@ -80,6 +90,7 @@ class EnergyMeter final : public EnergyAccounts
     }
 
     double potential_ = 0, stored_ = 0; //!< before a search [J]
+    double present_ = 0;                //!< before particles are taken out [J]
 };
 
 } // namespace

@@ -20,6 +20,9 @@ class EnergyAccounts
     virtual void particle_added(Params const&, State&) {}
     //! The last rigid body is new.
     virtual void body_added(Params const&, State&) {}
+    //! Particles are about to be taken out, and have been.
+    virtual void before_removal(Params const&, State const&) {}
+    virtual void after_removal(Params const&, State&) {}
     //! Neighbours are about to be searched, and have been.
     virtual void before_search(Params const&, State const&) {}
     virtual void after_search(Params const&, State&) {}

@@ -2,6 +2,7 @@
 
 #include "demens/dem/simulation_options.hpp"
 #include "src/dem/cpu/decomposition/decomposition.hpp"
+#include "src/dem/cpu/removal.hpp"
 
 namespace demens::dem {
 namespace {
@@ -12,6 +13,11 @@ class Undivided final : public Partition
   public:
     bool has_ghosts() const override { return false; }
     bool takes(std::uint32_t, Particles&) override { return true; }
+    void remove(Particles& particles, ContactLists& contacts,
+                std::unordered_set<std::uint32_t> const& ids) override
+    {
+        remove_particles(particles, contacts, {particles.size(), {}}, ids);
+    }
     void require_rigid_bodies() const override {}
     void distribute(Particles&, ContactLists&, MeetingReach const&) override {}
     void renumber(std::span<std::uint32_t const>, Particles const&) override {}

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <unordered_set>
 #include <vector>
 
 namespace demens::dem {
@@ -32,6 +33,10 @@ class Partition
     //! Before a particle with this id is added: whether this process takes it, until the next rebuild sends
     //! it where it belongs.
     virtual bool takes(std::uint32_t id, Particles& particles) = 0;
+    //! Takes the spheres with these ids, of any process, out of the columns and of the lists, which are stale
+    //! then.
+    virtual void remove(Particles& particles, ContactLists& contacts,
+                        std::unordered_set<std::uint32_t> const& ids) = 0;
     //! \throws InputError where it cannot share bodies of several elements.
     virtual void require_rigid_bodies() const = 0;
 

@@ -38,7 +38,8 @@ struct State
     HullContactLists hulls = {};           //!< contacts of which one side, or both, are hulls
     EnergyTally tally = {};                //!< zero without the ledger
     ListClock lists = {};
-    std::uint32_t particles_added = 0; //!< by all processes
+    std::uint32_t particles_added = 0;   //!< by all processes
+    std::uint32_t particles_removed = 0; //!< of all processes
     std::int64_t steps_done = 0;
     bool left_domain = false;
     bool leaping = false;     //!< a particle has moved by more than its radius in a step since the last check

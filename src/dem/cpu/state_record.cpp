@@ -166,6 +166,9 @@ void visit_rigid_bodies(Record& record, StateType& state)
     record("bodies/arm", bodies.arm), record("bodies/image", bodies.image);
 }
 
+//! There only where particles were removed.
+constexpr char const* removed = "clock/particles_removed";
+
 constexpr auto losses = std::array{std::pair{"ledger/lost_to_damping", &LossSums::damping},
                                    std::pair{"ledger/lost_to_friction", &LossSums::friction},
                                    std::pair{"ledger/lost_to_rolling", &LossSums::rolling},
@@ -227,6 +230,8 @@ void write_state(StateRecord& record, Params const& params, State const& state)
     write_fit(record, params);
     RecordWriter write(record);
     visit_plain(write, state);
+    if (state.particles_removed > 0)
+        write(removed, state.particles_removed);
     if (params.options.surroundings.is_any())
         visit_surroundings(write, state.tally);
     if (!state.bodies.empty())
@@ -251,6 +256,8 @@ State read_state(StateRecord const& record, Params const& params)
     State state;
     RecordReader read(record);
     visit_plain(read, state);
+    if (record.has(removed))
+        read(removed, state.particles_removed);
     if (params.options.surroundings.is_any())
         visit_surroundings(read, state.tally);
     if (record.has("bodies/pose"))

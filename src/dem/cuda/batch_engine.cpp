@@ -68,6 +68,11 @@ void BatchEngine::add(Body const& body, Vector3 const& v)
     read_at_ = -1;
 }
 
+void BatchEngine::remove(std::span<ParticleId const>)
+{
+    throw InputError("the engine \"cuda\" takes no particles out; use the engine \"cpu\"");
+}
+
 WallId BatchEngine::add(Wall const& wall)
 {
     materials_.wall_enters(batch_->params(slot_), wall.material);

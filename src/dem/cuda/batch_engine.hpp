@@ -17,6 +17,7 @@ class BatchEngine final : public Engine
     ~BatchEngine() override { batch_->end(slot_); }
 
     IdRange add(BodyBatch const& bodies) override;
+    void remove(std::span<ParticleId const> ids) override;
     WallId add(Wall const& wall) override;
     void place(WallId wall, WallShape const& shape) override
     {

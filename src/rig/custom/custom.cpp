@@ -28,7 +28,12 @@ Programme describe(RunInput const& input)
         .steps_per_look = std::max<std::int64_t>(1, std::llround(setup->interval / setup->options.time_step)),
         .expected_particles = setup->expected_particles(),
         .expected_duration = setup->longest_duration(),
-        .has_rigid_bodies = setup->has_rigid_bodies()};
+        .has_rigid_bodies = setup->has_rigid_bodies(),
+        .removes_particles = !setup->outlets.empty()};
+    for (auto const& group : setup->groups)
+        programme.names.groups.push_back(group.name);
+    for (auto const& wall : setup->walls)
+        programme.names.walls.insert(programme.names.walls.end(), wall.parts.size(), wall.name);
     for (auto const& response : setup->responses)
         programme.reads_loads |= response.quantity->reads_loads;
     programme.build = [setup] { return build(*setup); };
@@ -48,9 +53,16 @@ Programme describe(RunInput const& input)
             begin_walls(bench, setup, k);
             enter(bench, setup, k);
         };
-        if (std::any_of(setup->groups.begin(), setup->groups.end(),
-                        [k](auto const& group) { return group.stage == k && group.is_inlet(); }))
-            stage.at_look = [k, &setup = *setup](Bench& bench) { pour(bench, setup, k); };
+        bool const pours = std::any_of(setup->groups.begin(), setup->groups.end(), [k](auto const& group) {
+            return group.stage == k && group.is_inlet();
+        });
+        if (bool const lets_out = is_open(*setup, k); pours || lets_out)
+            stage.at_look = [k, pours, lets_out, &setup = *setup](Bench& bench) {
+                if (lets_out)
+                    let_out(bench, setup, k);
+                if (pours)
+                    pour(bench, setup, k);
+            };
         programme.stages.push_back(std::move(stage));
     }
     programme.readings = readings(*setup);
@@ -66,7 +78,8 @@ RigInfo custom_rig()
     RigInfo rig{.name = "custom",
                 .doc = "made in the file itself: particles, walls and their motions, stages, responses",
                 .options = experiment_options(),
-                .tables = {particles_table(), region_table(), wall_table(), stage_table(), response_table()},
+                .tables = {particles_table(), region_table(), wall_table(), stage_table(), outlet_table(),
+                           response_table()},
                 .asked_responses = asked_responses};
     rig.describe = describe;
     return described(std::move(rig));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -192,10 +193,14 @@ void check_above_others(Setup const& setup, ParticleGroup const& group, Body bod
 
 std::vector<Body> existing(dem::StateView const& particles)
 {
-    std::vector<Body> bodies(particles.size());
-    for (std::size_t k = 0; k < particles.size(); ++k)
-        bodies[particles.id(k).value] = {
-            .place = particles.position(k), .radius = particles.radius(k), .origin = "a particle there"};
+    std::vector<std::size_t> order(particles.size()); // of ids
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](auto a, auto b) { return particles.id(a).value < particles.id(b).value; });
+    std::vector<Body> bodies;
+    for (std::size_t const k : order)
+        bodies.push_back(
+            {.place = particles.position(k), .radius = particles.radius(k), .origin = "a particle there"});
     return bodies;
 }
 

@@ -202,6 +202,12 @@ void check_readings(ResponsePlan const& response, OptionValues const& experiment
         }
 }
 
+void check_outlets(ResponsePlan const&, OptionValues const& experiment, std::vector<ParticleGroup> const&)
+{
+    if (experiment.tables("outlet").empty())
+        throw InputError("nothing leaves this experiment: there is no table [[experiment.outlet]]");
+}
+
 std::vector<std::string> ledger_terms()
 {
     std::vector<std::string> terms;
@@ -239,6 +245,10 @@ std::vector<Quantity> make_quantities()
     };
     auto const mean = [](Sight const& s) {
         return 0.5 * (reading_of(s, s.plan.first) + reading_of(s, s.plan.second));
+    };
+    auto const outlet = entry("outlet", "outlet", "through which; empty: all of them");
+    auto const removed = [](Sight const& s) {
+        return removed_through(s.look.progress(), s.setup, s.plan.outlet);
     };
     auto const across = choice("axis", {"x", "y", "z"}, "along which it is measured");
     auto const one = [](View const&, std::size_t) { return 1.0; };
@@ -312,6 +322,14 @@ std::vector<Quantity> make_quantities()
          .read = mean,
          .check = check_readings,
          .reads_loads = true},
+        {{"removed_count", "number of particles that have left through outlets", {outlet}},
+         "1",
+         [removed](Sight const& s) { return removed(s).count; },
+         check_outlets},
+        {{"removed_mass", "mass of particles that have left through outlets", {outlet}},
+         "kg",
+         [removed](Sight const& s) { return removed(s).mass; },
+         check_outlets},
         {{"segregation", "intensity of segregation of a group (Danckwerts 1952)", {region, group, cube}},
          "1",
          segregation}};

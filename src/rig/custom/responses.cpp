@@ -32,7 +32,7 @@ std::string units_of(OptionValues const& o, OptionValues const& experiment)
 std::string doc_of(OptionValues const& o)
 {
     auto text = quantity_of(o).keys.doc;
-    for (char const* key : {"of", "region", "wall", "first", "second"})
+    for (char const* key : {"of", "region", "wall", "outlet", "first", "second"})
         if (o.has(key) && !o.text(key).empty())
             text += fmt::format(", {} {}", key, o.text(key));
     for (char const* key : {"axis", "term"})
@@ -63,6 +63,7 @@ ResponsePlan read_response(OptionValues const& o, OptionValues const& experiment
                           .wall =
                               o.has("wall") ? position_of(experiment.tables("wall"), o.text("wall"), 0) : 0,
                           .about = {},
+                          .outlet = o.has("outlet") ? o.text("outlet") : "",
                           .first = o.has("first") ? o.text("first") : "",
                           .second = o.has("second") ? o.text("second") : "",
                           .cell = o.has("cell_mm") ? 1e-3 * o.number("cell_mm") : 0,

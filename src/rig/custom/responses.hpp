@@ -29,6 +29,7 @@ struct ResponsePlan
     double dem::EnergyLedger::*term; //!< of the energy ledger; null: of none
     std::size_t wall;                //!< of a force or torque
     std::optional<Vector3> about;    //!< a torque is counted about it [m]; none: the wall's centre
+    std::string outlet;              //!< through which particles left; empty: all of them
     std::string first, second;       //!< responses whose readings it is made of
     double cell;                     //!< side of a cell [m]
     std::size_t stage;

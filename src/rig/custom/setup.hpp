@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/rig/common.hpp"
+#include "src/rig/custom/outlets.hpp"
 #include "src/rig/custom/responses.hpp"
 #include "src/rig/custom/stages.hpp"
 #include "src/rig/custom/upright.hpp"
@@ -21,6 +22,7 @@ struct Setup
     std::vector<ParticleGroup> groups;
     std::vector<WallPlan> walls;
     std::vector<StagePlan> stages;
+    std::vector<OutletPlan> outlets;
     std::vector<ResponsePlan> responses;
     dem::SimulationOptions options;
     Upright upright;      // against gravity

@@ -71,6 +71,13 @@ std::vector<dem::Wall> walls(Setup const& rig, double top)
     return all;
 }
 
+//! In the order of the walls.
+std::vector<std::string> wall_names()
+{
+    return {"front",       "back",       "upper_floor_left", "upper_floor_right", "upper_left", "upper_right",
+            "lower_floor", "lower_left", "lower_right",      "gate_left",         "gate_right", "lid"};
+}
+
 //! The spheres lie loosely in the upper box, as high as they need, and will rain down.
 Apparatus build(Setup const& rig)
 {
@@ -208,6 +215,7 @@ Programme describe(RunInput const& input)
                         .has_rigid_bodies = !rig.grains.are_spheres()};
     programme.check = [setup] { return size_warnings(setup->grains, setup->mass, setup->density); };
     programme.build = [setup] { return build(*setup); };
+    programme.names.walls = wall_names();
     programme.stages = filling(rig);
     auto const settled = programme.stages.size() - 1;
     for (auto const& next : {rest_of(rig.options), discharge(rig)})

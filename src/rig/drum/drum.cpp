@@ -166,6 +166,9 @@ Programme describe(RunInput const& input)
                         .has_rigid_bodies = !setup->grains.are_spheres()};
     programme.check = [setup] { return size_warnings(setup->grains, setup->drum.mass, setup->density); };
     programme.build = [setup] { return build(*setup); };
+    programme.names.walls = {"drum"};
+    if (setup->ends != Ends::periodic)
+        programme.names.walls.insert(programme.names.walls.end(), {"front", "back"});
     programme.stages = stages(*setup, sampling);
     auto const last = programme.stages.size() - 1;
     programme.readings = drum::readings(*setup);

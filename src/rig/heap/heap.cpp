@@ -52,6 +52,18 @@ std::vector<dem::Wall> walls(Setup const& rig)
     return all;
 }
 
+//! In the order of the walls.
+std::vector<std::string> wall_names(Setup const& rig)
+{
+    std::vector<std::string> names = {"plate", "floor",
+                                      rig.feed == Feed::fixed_funnel ? "funnel" : "cylinder"};
+    if (rig.feed == Feed::fixed_funnel)
+        names.insert(names.end(), {"gate", "funnel"});
+    if (rig.lip > 0)
+        names.push_back("lip");
+    return names;
+}
+
 //! The spheres lie loosely in the cylinder, or above the funnel, as high as they need, and will rain down.
 Apparatus build(Setup const& rig)
 {
@@ -140,6 +152,7 @@ Programme describe(RunInput const& input)
                         .has_rigid_bodies = !setup->grains.are_spheres()};
     programme.check = [setup] { return size_warnings(setup->grains, setup->mass, setup->density); };
     programme.build = [setup] { return build(*setup); };
+    programme.names.walls = wall_names(*setup);
     programme.stages = stages(*setup);
     auto const last = programme.stages.size() - 1;
     programme.readings = heap::readings(*setup);

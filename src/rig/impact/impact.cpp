@@ -111,6 +111,7 @@ Programme describe(RunInput const& input)
     auto const setup = std::make_shared<Setup const>(input);
     Programme programme{.time_step = setup->time_step, .expected_duration = 1e3 * setup->time_step};
     programme.build = [setup] { return build(*setup); };
+    programme.names.walls = {"plane"};
     programme.readings = readings(setup->radius);
     programme.stages = {{.name = "impact",
                          .until =

@@ -4,16 +4,18 @@
 
 namespace demens::rig {
 
-std::string needs_cpu(bool with_team, bool with_rigid_bodies)
+std::string needs_cpu(EngineNeeds const& needs)
 {
-    if (with_rigid_bodies)
+    if (needs.rigid_bodies)
         return "its grains are not spheres ([shape.NAME])";
-    return with_team ? "several ranks share a run (run.ranks_per_group)" : "";
+    if (needs.removal)
+        return "particles are taken out of it (outlet)";
+    return needs.team ? "several ranks share a run (run.ranks_per_group)" : "";
 }
 
-dem::EngineKind chosen_engine(EngineChoice choice, bool with_team, bool with_rigid_bodies)
+dem::EngineKind chosen_engine(EngineChoice choice, EngineNeeds const& needs)
 {
-    auto const obstacle = needs_cpu(with_team, with_rigid_bodies);
+    auto const obstacle = needs_cpu(needs);
     switch (choice) {
     case EngineChoice::cpu:
         return dem::EngineKind::cpu;

@@ -61,10 +61,10 @@ namespace {
 //! \throws InputError where no engine can do it on so many ranks
 void check_engine(Programme const& programme, int ranks)
 {
-    if (!programme.has_rigid_bodies)
+    if (!programme.has_rigid_bodies && !programme.removes_particles)
         return;
-    chosen_engine(programme.engine, ranks > 1, true);
-    if (ranks > 1)
+    chosen_engine(programme.engine, programme.needs(ranks > 1));
+    if (programme.has_rigid_bodies && ranks > 1)
         throw InputError(
             fmt::format("grains that are not spheres ([shape.NAME]) are computed by one rank a run, and "
                         "this one has {}; give run.ranks_per_group = 1",
@@ -77,6 +77,8 @@ Programme programme_of(RigInfo const& rig, RunInput const& input, int ranks)
 {
     auto programme = rig.describe(input);
     programme.engine = input.engine;
+    for (auto const& material : input.model.materials)
+        programme.names.materials.push_back(material.name);
     check_engine(programme, ranks);
     check_memory(programme.expected_particles, ranks, memory_limit());
     return programme;

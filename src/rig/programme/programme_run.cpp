@@ -104,8 +104,7 @@ ProgrammeRun::ProgrammeRun(Programme programme, dem::Team* team, RunState const&
     check_fits(programme_, state.progress);
     Apparatus apparatus = programme_.build();
     apparatus.options.team = team_;
-    apparatus.options.engine =
-        chosen_engine(programme_.engine, team_ != nullptr, programme_.has_rigid_bodies);
+    apparatus.options.engine = chosen_engine(programme_.engine, programme_.needs(team_ != nullptr));
     apparatus.options.batch = apparatus.options.engine == dem::EngineKind::cpu ? nullptr : batch_;
     auto const stage = state.progress.model_of;
     auto model = stage ? *programme_.stages[*stage].model : apparatus.model;
@@ -189,8 +188,7 @@ void ProgrammeRun::build()
 {
     Apparatus apparatus = programme_.build();
     apparatus.options.team = team_;
-    apparatus.options.engine =
-        chosen_engine(programme_.engine, team_ != nullptr, programme_.has_rigid_bodies);
+    apparatus.options.engine = chosen_engine(programme_.engine, programme_.needs(team_ != nullptr));
     apparatus.options.batch = apparatus.options.engine == dem::EngineKind::cpu ? nullptr : batch_;
     bench_.emplace(Bench{dem::Simulation(apparatus.model, apparatus.options)});
     if (contact::drifts(apparatus.model))

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -40,10 +41,23 @@ std::vector<std::int64_t> grain_numbers(dem::StateView const& grains, std::size_
     return numbers;
 }
 
+//! Number of the group of each particle, by its id; none where there are no groups.
+std::vector<std::int64_t> groups_of(std::vector<std::uint32_t> const& ids,
+                                    std::vector<EnteredGroup> const& groups)
+{
+    std::vector<std::int64_t> numbers(groups.empty() ? 0 : ids.size(), -1);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+        for (std::size_t g = 0; g < groups.size(); ++g)
+            if (groups[g].ids.contains(dem::ParticleId{ids[k]}))
+                numbers[k] = static_cast<std::int64_t>(g);
+    return numbers;
+}
+
 } // namespace
 
 RunResult run_programme(Programme programme, RunHooks const& hooks)
 {
+    auto const names = programme.names;
     auto run = hooks.from != nullptr ? ProgrammeRun(std::move(programme), hooks.team, *hooks.from)
                                      : ProgrammeRun(std::move(programme), hooks.team);
     bool const has_frames = hooks.on_frame && hooks.frame_interval > 0;
@@ -54,7 +68,10 @@ RunResult run_programme(Programme programme, RunHooks const& hooks)
                 hooks.on_stage(run.save(), stage);
             if (!has_frames || bench.simulation.time() < next_frame)
                 return;
-            hooks.on_frame(take_snapshot(bench.simulation, stage));
+            auto frame = take_snapshot(bench.simulation, stage);
+            frame.names = names;
+            frame.group = groups_of(frame.id, bench.progress.groups);
+            hooks.on_frame(frame);
             next_frame = bench.simulation.time() + hooks.frame_interval * (1 - 1e-9);
         });
     // What depends on clocks and signals must end all ranks of a team or none, and after the same step.
@@ -88,9 +105,14 @@ Snapshot take_snapshot(dem::Simulation& simulation, std::string name)
         column->resize(n);
     for (auto* column : {&snapshot.fx, &snapshot.fy, &snapshot.fz, &snapshot.mass})
         column->resize(n);
-    snapshot.material.resize(n);
-    for (std::size_t k = 0; k < n; ++k) {
-        auto const id = particles.id(k).value;
+    snapshot.material.resize(n), snapshot.id.resize(n);
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](auto a, auto b) { return particles.id(a).value < particles.id(b).value; });
+    for (std::size_t id = 0; id < n; ++id) { // of those that are there
+        std::size_t const k = order[id];
+        snapshot.id[id] = particles.id(k).value;
         dem::Place const& p = particles.place(k);
         Vector3 const v = particles.velocity(k), w = particles.spin(k);
         snapshot.x[id] = p.x, snapshot.y[id] = p.y, snapshot.z[id] = p.z, snapshot.radius[id] = p.radius;
@@ -102,9 +124,14 @@ Snapshot take_snapshot(dem::Simulation& simulation, std::string name)
     }
     if (simulation.counts().particles < n)
         snapshot.grain = grain_numbers(simulation.read_grains(dem::Fields::places), n);
-    for (dem::Wall const& wall : simulation.walls())
-        if (wall.active)
-            observe::add_outline(snapshot, wall);
+    auto const& walls = simulation.walls();
+    for (std::size_t number = 0; number < walls.size(); ++number) {
+        if (!walls[number].active)
+            continue;
+        observe::add_outline(snapshot, walls[number]);
+        snapshot.wall_of_box.resize(snapshot.walls.size(), static_cast<std::int64_t>(number));
+        snapshot.wall_of_triangle.resize(snapshot.wall_triangles.size(), static_cast<std::int64_t>(number));
+    }
     return snapshot;
 }
 

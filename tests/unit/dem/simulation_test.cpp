@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -203,6 +204,79 @@ TEST(Simulation, ALookAfterAChangeChangesNothing)
         return s.read(dem::Fields::places).position(0);
     };
     EXPECT_EQ(place_after(true), place_after(false));
+}
+
+TEST(Simulation, WhatIsTakenOutIsGoneAndTheRestGoesOn)
+{
+    // A ball on the floor, and two, one on the other, far from it; the upper one goes.
+    auto const run = [](bool with_others) {
+        auto s = simulation();
+        s.add(dem::Wall{.shape = floor_at(0), .material = dem::MaterialId{1}});
+        auto const alone = s.add(dem::Body{.position = {0.5, 0, 1.2 * r}, .radius = r});
+        EXPECT_EQ(alone, dem::ParticleId{0});
+        if (with_others) {
+            s.add(dem::Body{.position = {0, 0, r}, .radius = r});
+            s.add(dem::Body{.position = {0, 0, 3 * r}, .radius = r});
+        }
+        s.advance(2000);
+        if (with_others) {
+            s.remove(std::array{dem::ParticleId{2}});
+            s.advance(1000);
+            EXPECT_NEAR(s.read_wall_loads()[0].force.z,
+                        -2 * g * 2500 * 4.0 / 3 * std::numbers::pi * r * r * r, 1e-7);
+            s.remove(std::array{dem::ParticleId{1}});
+        } else {
+            s.advance(1000);
+        }
+        s.advance(1000);
+        EXPECT_EQ(s.counts().particles, 1u);
+        EXPECT_EQ(s.counts().wall_contacts, 1u);
+        auto const now = state_of(s);
+        EXPECT_EQ(now.size(), 1u);
+        EXPECT_EQ(now.id(0), alone);
+        return now.position(0);
+    };
+    EXPECT_EQ(run(true), run(false)) << "others far away change no bit";
+}
+
+TEST(Simulation, MayBecomeEmptyAndBeFilledAgain)
+{
+    auto s = simulation();
+    s.add(dem::Wall{.shape = floor_at(0)});
+    s.add(dem::BodyBatch{{.position = {0, 0, r}, .radius = r}, {.position = {0, 0, 3 * r}, .radius = r}});
+    s.advance(100);
+    s.remove(std::array{dem::ParticleId{1}, dem::ParticleId{0}});
+    EXPECT_EQ(s.counts().particles, 0u);
+    s.advance(100);
+    EXPECT_EQ(s.health(), dem::Health::good);
+    EXPECT_EQ(s.add(dem::Body{.position = {0, 0, r}, .radius = r}), dem::ParticleId{2});
+    s.advance(100);
+    EXPECT_EQ(s.counts().wall_contacts, 1u);
+    s.remove({});
+    EXPECT_EQ(s.counts().particles, 1u);
+}
+
+TEST(Simulation, WhatIsTakenOutTakesItsEnergyAlong)
+{
+    dem::Simulation s(model(),
+                      {.time_step = dt, .gravity = {0, 0, -g}, .skin = 0.1 * r, .energy_ledger = true});
+    s.add(dem::Wall{.shape = floor_at(0)});
+    s.add(dem::BodyBatch{{.position = {0, 0, r}, .radius = r},
+                         {.position = {0, 0, 2.99 * r}, .radius = r},
+                         {.position = {0.1, 0, 50 * r}, .radius = r, .velocity = {1, 0, 0}}});
+    s.advance(200);
+    double const mass = 2500 * 4.0 / 3 * std::numbers::pi * r * r * r;
+    auto const before = s.energy();
+    s.remove(std::array{dem::ParticleId{2}}); // flies
+    auto const after = s.energy();
+    double const fallen = 200 * dt * g;
+    double const had = 0.5 * mass * (1 + fallen * fallen) + mass * g * (50 * r - 0.5 * g * 4e-6);
+    EXPECT_NEAR(before.brought_in - after.brought_in, had, 1e-3 * had);
+    EXPECT_NEAR(after.gap(), before.gap(), 1e-12);
+    s.remove(std::array{dem::ParticleId{1}}); // is pressed into the other
+    EXPECT_NEAR(s.energy().gap(), before.gap(), 1e-12);
+    s.advance(2000);
+    EXPECT_LT(std::abs(s.energy().closure_error()), 0.02);
 }
 
 TEST(Simulation, ABodyThatEntersBringsWhatTheLedgerSees)

@@ -149,6 +149,54 @@ TEST(StateRecord, KeepsWhatWasAskedForBetweenSteps)
     expect_same(whole, rest);
 }
 
+//! Every third particle, by its id.
+std::vector<dem::ParticleId> every_third(dem::Simulation& simulation)
+{
+    auto const all = simulation.read(dem::Fields::places);
+    std::vector<dem::ParticleId> ids;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (all.id(k).value % 3 == 0)
+            ids.push_back(all.id(k));
+    return ids;
+}
+
+TEST(StateRecord, OfWhatIsLeftWhenParticlesWereTakenOut)
+{
+    for (int const ranks : {0, 1, 3}) {
+        SCOPED_TRACE(::testing::Message() << ranks << " ranks");
+        auto const check = [](dem::Team* team) {
+            auto const how = options(true, true, team);
+            auto whole = settling_bed(how);
+            whole.advance(5000);
+            double const before = whole.energy().closure_error();
+            auto const out = every_third(whole);
+            ASSERT_EQ(out.size(), 50u);
+            whole.remove(out);
+            EXPECT_EQ(whole.counts().particles, 100u);
+            auto const now = state_of(whole);
+            ASSERT_EQ(now.size(), 100u);
+            for (std::size_t k = 0; k < now.size(); ++k)
+                EXPECT_NE(now.id(k).value % 3, 0u);
+            auto at_once = reloaded(how, whole.save());
+            whole.advance(300), at_once.advance(300);
+            expect_same(whole, at_once);
+            auto const more = whole.add(dem::BodyBatch{{.position = {0, 0, 0.05}, .radius = r}});
+            EXPECT_EQ(more.first, 150u) << "no id is given twice";
+            whole.advance(300);
+            auto later = reloaded(how, whole.save());
+            whole.advance(300), later.advance(300);
+            expect_same(whole, later);
+            EXPECT_EQ(whole.counts().elements, 101u);
+            EXPECT_EQ(whole.health(), dem::Health::good);
+            EXPECT_NEAR(whole.energy().closure_error(), before, 0.01);
+        };
+        if (ranks == 0)
+            check(nullptr);
+        else
+            demens::testing::with_team(ranks, [&](dem::Team& team) { check(&team); });
+    }
+}
+
 TEST(StateRecord, OtherCoefficientsCountFromThen)
 {
     auto whole = settling_bed(options(false, false));

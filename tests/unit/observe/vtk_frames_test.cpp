@@ -180,6 +180,26 @@ TEST_F(VtkFramesTest, triangles_of_other_walls_follow)
     EXPECT_EQ(array_of<std::int64_t>(file, "offsets"), (std::vector<std::int64_t>{4, 7}));
 }
 
+TEST_F(VtkFramesTest, numbers_have_names)
+{
+    VtkFrames frames(folder);
+    auto snapshot = two_particles(); // a floor of one face and a cube of six
+    snapshot.wall_triangles = {{1, 2, 3, 4, 5, 6, 7, 8, 9}};
+    snapshot.wall_of_box = {1, 0}, snapshot.wall_of_triangle = {2};
+    snapshot.id = {3, 7}, snapshot.group = {-1, 0};
+    snapshot.names = {{"glass"}, {"rain"}, {"cube", "Bo", "cone"}};
+    frames.write(snapshot);
+    auto const walls = content("walls_000000.vtp"), particles = content("particles_000000.vtp");
+    EXPECT_EQ(array_of<std::int64_t>(walls, "wall"), (std::vector<std::int64_t>{1, 0, 0, 0, 0, 0, 0, 2}));
+    EXPECT_NE(walls.find("<Array type=\"String\" Name=\"wall_names\" NumberOfTuples=\"3\" format=\"ascii\">"
+                         "99 117 98 101 0 66 111 0 99 111 110 101 0 </Array>"),
+              std::string::npos);
+    EXPECT_EQ(array_of<std::int64_t>(particles, "id"), (std::vector<std::int64_t>{3, 7}));
+    EXPECT_EQ(array_of<std::int64_t>(particles, "group"), (std::vector<std::int64_t>{-1, 0}));
+    EXPECT_NE(particles.find("Name=\"group_names\""), std::string::npos);
+    EXPECT_NE(particles.find("Name=\"material_names\""), std::string::npos);
+}
+
 TEST_F(VtkFramesTest, collection_names_all_frames_with_their_times)
 {
     VtkFrames frames(folder);

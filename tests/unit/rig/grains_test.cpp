@@ -85,7 +85,7 @@ TEST(GrainsInRigs, EnginesAndRanksThatCannotAreRefusedBeforeTheRun)
     }
     input.engine = rig::EngineChoice::automatic;
     EXPECT_EQ(fault_of([&] { heap.check(input); }), "");
-    EXPECT_EQ(rig::chosen_engine(rig::EngineChoice::automatic, false, true), dem::EngineKind::cpu);
+    EXPECT_EQ(rig::chosen_engine(rig::EngineChoice::automatic, {.rigid_bodies = true}), dem::EngineKind::cpu);
 }
 
 TEST(GrainsInRigs, BulkDensityBeyondThatOfSpheresIsPossible)

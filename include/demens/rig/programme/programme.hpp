@@ -92,9 +92,11 @@ struct Programme
     std::uint64_t seed = 0;       //!< of the random numbers that stages draw
     EngineChoice engine = EngineChoice::cpu;
     bool has_rigid_bodies =
-        false;                //!< grains of several spheres: the CPU's engine alone moves them, on one rank
-    bool reads_loads = false; //!< whether forces must be known at the very first look
+        false; //!< grains of several spheres: the CPU's engine alone moves them, on one rank
+    bool removes_particles = false; //!< the CPU's engine alone takes particles out
+    bool reads_loads = false;       //!< whether forces must be known at the very first look
     std::vector<Stage> stages = {};
+    observe::SnapshotNames names = {}; //!< of materials, groups and walls, by their numbers; for frames
     std::vector<Reading> readings = {};
     std::vector<ProfileReading> profiles = {};
     std::vector<Response> responses = {};
@@ -106,6 +108,8 @@ struct Programme
     std::function<std::vector<std::string>()> check = {};
     //! Makes what stands there at first. \throws InputError
     std::function<Apparatus()> build = {};
+
+    EngineNeeds needs(bool with_team) const { return {with_team, has_rigid_bodies, removes_particles}; }
 };
 
 //! A run of a rig that is described, for so many ranks. \throws InputError where it cannot be done

@@ -4,6 +4,7 @@
 #include "src/dem/cpu/cell_grid.hpp"
 #include "src/dem/cpu/decomposition/migration.hpp"
 #include "src/dem/cpu/decomposition/particle_parcels.hpp"
+#include "src/dem/cpu/removal.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -33,6 +34,14 @@ bool Decomposition::takes(std::uint32_t id, Particles& particles)
 {
     remove_ghosts(particles);
     return static_cast<int>(id % static_cast<std::uint32_t>(team_.size())) == team_.rank();
+}
+
+void Decomposition::remove(Particles& particles, ContactLists& contacts,
+                           std::unordered_set<std::uint32_t> const& ids)
+{
+    remove_ghosts(particles);
+    owned_ = remove_particles(particles, contacts, {owned_, ghost_ids_}, ids);
+    ghosts_ = {}; // its routes name particles by their numbers
 }
 
 //! A particle costs a move and a search, about as much as the force of a contact, which has two particles.
@@ -121,12 +130,14 @@ Particles const& Decomposition::gather(Particles const& mine, Fields fields)
     all_.emplace(Gathered{{}, with_loads ? Fields::all : fields});
     Particles& all = all_->particles;
     all.resize(found.size());
+    std::vector<std::uint32_t> order(found.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return found.id[a] < found.id[b]; });
     for (std::size_t k = 0; k < found.size(); ++k) {
-        std::uint32_t const id = found.id[k];
-        DEMENS_EXPECT(id < found.size(), "ids have no gaps");
-        all.place[id] = found.place[k], all.motion[id] = found.motion[k];
-        all.load[id] = found.load[k], all.material[id] = found.material[k];
-        all.id[id] = id;
+        std::uint32_t const from = order[k];
+        all.place[k] = found.place[from], all.motion[k] = found.motion[from];
+        all.load[k] = found.load[from], all.material[k] = found.material[from];
+        all.id[k] = found.id[from];
     }
     return all;
 }

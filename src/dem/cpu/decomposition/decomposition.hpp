@@ -24,6 +24,8 @@ class Decomposition final : public Partition
 
     bool has_ghosts() const override { return true; }
     bool takes(std::uint32_t id, Particles& particles) override;
+    void remove(Particles& particles, ContactLists& contacts,
+                std::unordered_set<std::uint32_t> const& ids) override;
     void require_rigid_bodies() const override;
     void distribute(Particles& particles, ContactLists& contacts, MeetingReach const& reach) override;
     void renumber(std::span<std::uint32_t const> new_numbers, Particles const& particles) override;
@@ -31,7 +33,7 @@ class Decomposition final : public Partition
     void begin_exchange(Particles const& particles) override;
     void finish_exchange(Particles& particles) override;
     void note_change() override { all_.reset(); }
-    //! By their ids.
+    //! In the order of their ids.
     Particles const& gather(Particles const& mine, Fields fields) override;
     std::vector<WallLoad> sum(std::vector<WallLoad> const& mine) override;
     EnergyLedger sum(EnergyLedger const& mine) override;

@@ -176,11 +176,11 @@ TEST(ProgrammeRun, AnotherEngineAccountsForEnergyAndGoesOnFromItsRecord)
 
 TEST(ProgrammeRun, OnlyTheCpuEngineSharesARunAmongRanks)
 {
-    EXPECT_EQ(rig::chosen_engine(rig::EngineChoice::cuda, false), dem::EngineKind::cuda);
-    EXPECT_EQ(rig::chosen_engine(rig::EngineChoice::cpu, true), dem::EngineKind::cpu);
-    EXPECT_EQ(rig::chosen_engine(rig::EngineChoice::automatic, true), dem::EngineKind::cpu);
+    EXPECT_EQ(rig::chosen_engine(rig::EngineChoice::cuda, {}), dem::EngineKind::cuda);
+    EXPECT_EQ(rig::chosen_engine(rig::EngineChoice::cpu, {.team = true}), dem::EngineKind::cpu);
+    EXPECT_EQ(rig::chosen_engine(rig::EngineChoice::automatic, {.team = true}), dem::EngineKind::cpu);
     try {
-        rig::chosen_engine(rig::EngineChoice::cuda, true);
+        rig::chosen_engine(rig::EngineChoice::cuda, {.team = true});
         FAIL();
     } catch (InputError const& error) {
         EXPECT_NE(std::string(error.what()).find("run.engine = \"cuda\" cannot do this run: several ranks"),
