@@ -1,4 +1,5 @@
 // A campaign goes on: with more runs, or with another input and the runs that still hold.
+#include "app/checks.hpp"
 #include "app/command.hpp"
 #include "app/new_campaign.hpp"
 #include "demens/base/error.hpp"
@@ -169,7 +170,7 @@ void add_extend(CLI::App& program, Action& action)
         "extend", "go on with a campaign: more runs, or another input with the runs that still hold");
     command->add_option("FILE.h5", options->file, "campaign file; nobody may work on it")->required();
     command->add_option("--runs", options->runs, "so many more runs, whatever the goals of [stop]")
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero());
     command->add_option("--continue", options->toml,
                         "TOML file that says from now on what is measured, varied and searched");
     command->add_option("-o,--output", options->output,

@@ -1,4 +1,5 @@
 #include "app/checkpoint.hpp"
+#include "app/checks.hpp"
 #include "app/command.hpp"
 #include "app/simulated_again.hpp"
 #include "demens/base/error.hpp"
@@ -143,7 +144,7 @@ void add_replay(CLI::App& program, Action& action)
     command
         ->add_option("--frame-interval", options->frame_interval,
                      "simulated time between frames [s]; default 0.02")
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero());
     command->add_option("--checkpoints", options->checkpoints,
                         "folder for what a replay can begin with, written where each stage begins");
     command->add_option("--from", options->from, "such a file of the same run, to begin there");

@@ -1,3 +1,4 @@
+#include "app/checks.hpp"
 #include "app/command.hpp"
 #include "app/mpi_scope.hpp"
 #include "app/new_campaign.hpp"
@@ -133,7 +134,7 @@ void add_run(CLI::App& program, Action& action)
         ->required();
     auto* task = command->add_option("--task", options->array.task, "of a job array: its number, from 0");
     auto* tasks = command->add_option("--tasks", options->array.tasks, "of a job array: how many there are")
-                      ->check(CLI::PositiveNumber);
+                      ->check(above_zero());
     task->needs(tasks);
     tasks->needs(task);
     command

@@ -1,3 +1,4 @@
+#include "app/checks.hpp"
 #include "app/command.hpp"
 #include "app/page_extras.hpp"
 #include "report/export.hpp"
@@ -52,7 +53,7 @@ void add_report(CLI::App& program, Action& action)
                           "write it again as runs end, while anybody works on the campaign; the "
                           "page loads itself again");
     command->add_option("--every", options->every, "time between two looks [s]; default 10")
-        ->check(CLI::PositiveNumber)
+        ->check(above_zero())
         ->needs(follow_flag);
     command
         ->add_option(

@@ -1,3 +1,4 @@
+#include "app/checks.hpp"
 #include "app/command.hpp"
 #include "ensemble/status/debug_bundle.hpp"
 #include "ensemble/status/status_json.hpp"
@@ -66,7 +67,7 @@ void add_status(CLI::App& program, Action& action)
     auto* follow_flag = command->add_flag("--follow", options->follows,
                                           "again and again while anybody works on the campaign");
     command->add_option("--every", options->every, "time between two looks [s]; default 5")
-        ->check(CLI::PositiveNumber)
+        ->check(above_zero())
         ->needs(follow_flag);
     auto* bundle = command
                        ->add_flag("--debug-bundle", options->makes_bundle,

@@ -1,5 +1,6 @@
 // One simulation of each experiment at the base values, without a campaign: what it would be, and what it
 // measures.
+#include "app/checks.hpp"
 #include "app/command.hpp"
 #include "demens/base/error.hpp"
 #include "demens/base/extent.hpp"
@@ -206,7 +207,7 @@ void add_try(CLI::App& program, Action& action)
     command
         ->add_option("--frame-interval", options->frame_interval,
                      "simulated time between frames [s]; default 0.02")
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero());
     command->callback([options, &action] { action = [options] { return try_out(*options); }; });
 }
 

@@ -47,6 +47,11 @@ CampaignInput CampaignInput::from_text(std::string const& toml, std::string cons
     if (old_words == input::OldWords::understood)
         input::understand_old_words(parsed);
     input::InputTable const file(parsed, "", origin);
+    if (parsed.contains("fit") && !parsed.contains("campaign") && !parsed.contains("experiment"))
+        throw InputError(fmt::format(
+            "{}: this is the file of a fit: `demens fit {}` reads it. A campaign has [campaign] and "
+            "[[experiment]]; its keys: demens keys",
+            origin, origin));
     file.allow_only({"campaign", "material", "contact", "shape", "size_distribution", "experiment", "factor",
                      "constraint", "screening", "design", "objective", "surrogate", "search", "solver",
                      "stop", "run", "gap", "effect"});

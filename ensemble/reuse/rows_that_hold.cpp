@@ -154,7 +154,7 @@ class Comparison
         for (auto const& [path, value] : here) {
             auto const other = there.find(path);
             if (other == there.end()) {
-                differ(path, value.text, "not there");
+                differ(path, value.text, "none");
                 continue;
             }
             auto const number = number_of(other->second);
@@ -168,7 +168,7 @@ class Comparison
         }
         for (auto const& [path, value] : there)
             if (here.find(path) == here.end())
-                differ(path, "not there", value.text);
+                differ(path, "none", value.text);
         return agree;
     }
 

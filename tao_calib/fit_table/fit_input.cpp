@@ -90,6 +90,12 @@ std::vector<OptionSpec> const constraint_options = {{.key = "expression",
                                                      .doc = "e.g. \"kinetic <= static\"",
                                                      .required = true}};
 
+//! File, line and key, as messages begin with them.
+std::string place_of(InputTable const& table, std::string const& key)
+{
+    return table.error(key, "").what();
+}
+
 FitFactor read_factor(InputTable const& table)
 {
     auto const values = table.read(factor_options);
@@ -100,7 +106,10 @@ FitFactor read_factor(InputTable const& table)
                            values.number("fixed"),
                            values.flag("categorical") ? FactorKind::categorical : FactorKind::continuous,
                            values.text("fixed_level"),
-                           {}};
+                           {},
+                           place_of(table, "column")};
+    if (factor.log_scale && factor.lower <= 0)
+        throw table.error("lower", "must be above 0 where log_scale = true");
     if (factor.lower >= factor.upper)
         throw table.error("upper", fmt::format("must be above lower = {}", factor.lower));
     if (factor.fixed < factor.lower || factor.fixed > factor.upper)
@@ -113,7 +122,7 @@ FitResponse read_response(InputTable const& table)
 {
     auto const values = table.read(response_options);
     FitResponse const response{values.text("column"), values.number("target"), values.number("tolerance"),
-                               values.number("scale")};
+                               values.number("scale"), place_of(table, "column")};
     for (auto const& [key, value] : {std::pair{"tolerance", response.tolerance}, {"scale", response.scale}}) {
         if (value == 0)
             throw table.error(key, "must be above 0");
@@ -136,12 +145,18 @@ FitInput FitInput::from_text(std::string const& toml, std::string const& origin)
 {
     auto const parsed = ensemble::input::parse_toml(toml, origin);
     InputTable const file(parsed, "", origin);
+    if (parsed.contains("campaign") || parsed.contains("experiment"))
+        throw InputError(
+            fmt::format("{}: this is a campaign: `demens new {}` checks it. A fit has [fit], [[factor]] and "
+                        "[[response]]; their keys: demens keys fit",
+                        origin, origin));
     file.allow_only({"fit", "factor", "response", "constraint"});
 
     auto const options = file.table("fit").read(fit_options);
     FitInput input;
     input.origin = origin;
     input.table = std::filesystem::path(origin).parent_path() / options.text("table");
+    input.table_place = place_of(file.table("fit"), "table");
     input.model = *find_word<PolynomialModel>(options.text("model"));
     input.eliminate = options.text("selection") == "backward";
     input.elimination = {options.number("alpha"),

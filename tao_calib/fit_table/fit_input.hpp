@@ -25,6 +25,7 @@ struct FitFactor
     FactorKind kind = FactorKind::continuous; //!< a column of words is categorical without being told so
     std::string fixed_level = {};             //!< the same of a categorical factor; empty: free
     std::vector<std::string> levels = {};     //!< of the table, for those that are not continuous
+    std::string place = {};                   //!< file, line and key of the column, for messages
 };
 
 //! A column of the table that is an outcome of the runs.
@@ -35,6 +36,7 @@ struct FitResponse
     double tolerance; //!< deviation that is good enough; NaN: does not bound the admissible region
     double scale; //!< deviation that counts as one; NaN: the tolerance, or the scatter about the model, or,
                   //!< where a model meets every run, the range of the response
+    std::string place = {}; //!< file, line and key of the column, for messages
 };
 
 //! What to fit to a table of results from any program.
@@ -42,6 +44,7 @@ struct FitInput
 {
     std::string origin; //!< file in messages
     std::filesystem::path table;
+    std::string table_place;        //!< file, line and key of the table, for messages
     std::vector<FitFactor> factors; //!< blocks last
     std::vector<FitResponse> responses;
     std::vector<ensemble::LinearConstraint> constraints;

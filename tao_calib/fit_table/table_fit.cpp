@@ -32,15 +32,29 @@ TableFit::TableFit(FitInput input, text::CsvTable const& table) : input_(std::mo
     auto rows = usable_rows(table);
     warn_of_repeated(table, rows);
     complete_factors(table, rows);
-    space_.emplace(input_);
-    fit(table, rows);
+    try {
+        space_.emplace(input_);
+        fit(table, rows);
+    } catch (InputError const& error) { // of layers that do not know the file
+        std::string const what = error.what();
+        throw InputError(what.starts_with(input_.origin) || what.starts_with(table.origin())
+                             ? what
+                             : fmt::format("{}: {}", input_.origin, what));
+    }
 }
 
 TableFit::Rows TableFit::usable_rows(text::CsvTable const& table)
 {
     Rows found;
+    auto const column_of = [&](auto const& asked) {
+        try {
+            return table.column(asked.column);
+        } catch (InputError const& error) {
+            throw InputError(asked.place + error.what());
+        }
+    };
     for (auto& factor : input_.factors) {
-        found.factors.push_back(table.column(factor.column));
+        found.factors.push_back(column_of(factor));
         int const column = found.factors.back();
         bool const any_number = [&] {
             for (int row = 0; row < table.rows(); ++row)
@@ -64,7 +78,7 @@ TableFit::Rows TableFit::usable_rows(text::CsvTable const& table)
             (void)table.numbers(column);
     }
     for (auto const& response : input_.responses) {
-        found.responses.push_back(table.column(response.column));
+        found.responses.push_back(column_of(response));
         (void)table.numbers(found.responses.back());
     }
     VectorXd const weights = input_.weights.empty() ? VectorXd() : column_values(table, input_.weights);
@@ -176,6 +190,12 @@ void TableFit::complete_factors(text::CsvTable const& table, Rows const& rows)
                 fmt::format("{}: factor `{}`: lower = {} is not below upper = {}; one of them is that of "
                             "the table",
                             input_.origin, factor.column, factor.lower, factor.upper));
+        if (*values.rbegin() < factor.lower || *values.begin() > factor.upper)
+            throw InputError(fmt::format("{}none of its values in {}, {} to {}, is between lower = {} and "
+                                         "upper = {}; give bounds in the "
+                                         "unit of the table, or leave them out",
+                                         factor.place, table.origin(), *values.begin(), *values.rbegin(),
+                                         factor.lower, factor.upper));
         if (!std::isnan(factor.fixed) && !(factor.fixed >= factor.lower && factor.fixed <= factor.upper))
             throw InputError(fmt::format("{}: factor `{}`: fixed = {} is outside {} to {}", input_.origin,
                                          factor.column, factor.fixed, factor.lower, factor.upper));

@@ -185,18 +185,25 @@ TEST(FitTable, BadInputIsNamed)
     };
     EXPECT_NE(fit("[fit]\ntabel = \"x.csv\"\n").find("fit.toml:2: fit.tabel"), std::string::npos);
     EXPECT_NE(fit("[fit]\ntable = \"x.csv\"\nmodel = \"cubic\"\n").find("cubic"), std::string::npos);
+    EXPECT_NE(fit("[campaign]\nname = \"x\"\n").find("this is a campaign"), std::string::npos);
+    EXPECT_NE(fit("a,b\n1,2\n").find("fit.toml:1: is a table"), std::string::npos);
+    EXPECT_NE(fit("\x89HDF\r\n").find("an HDF5 file"), std::string::npos);
+    EXPECT_NE(fit("[fit]\ntable = \"x.csv\"\n[[factor]]\ncolumn = \"a\"\nlog_scale = true\nlower = 0\n")
+                  .find("fit.toml:6: factor[1].lower = 0: must be above 0"),
+              std::string::npos);
     EXPECT_EQ(fit("[fit]\ntable = \"x.csv\"\n"),
               "fit.toml: a fit needs at least one [[factor]] and one [[response]]");
     EXPECT_EQ(message([&] { fit_of_table("a,y\n0,1\n1,2\n"); }),
-              "t.csv has no column `b`; its columns are a, y");
+              "fit.toml:8: factor[2].column = \"b\": t.csv has no column `b`; its columns are a, y");
     EXPECT_EQ(message([&] { fit_of_table("a,b,y\n0,0,1\n1,1,x\n"); }),
               "t.csv:3: column y: \"x\" is not a number");
     EXPECT_EQ(message([&] { fit_of_table("a,b,y\n0,0,1\n1,0\n"); }),
               "t.csv:3: has 2 values where the header has 3 columns, separated by commas");
     EXPECT_EQ(message([&] { fit_of_table("a,b,y\n0,1,1\n1,1,2\n"); }),
               "t.csv: factor `b` does not vary: its effect cannot be found");
-    EXPECT_EQ(message([&] { fit_of_table("a,b,y\n0,0,1\n1,1,2\n0.5,0.5,1.7\n0.2,0.2,1.3\n"); }),
-              "response `y`: the runs cannot tell these terms apart: b = a; leave terms out or add runs");
+    EXPECT_EQ(
+        message([&] { fit_of_table("a,b,y\n0,0,1\n1,1,2\n0.5,0.5,1.7\n0.2,0.2,1.3\n"); }),
+        "fit.toml: response `y`: the runs cannot tell these terms apart: b = a; leave terms out or add runs");
     EXPECT_EQ(message([&] { fit_of_table("a,b,y\n0,0,1\n1,0,1\n0,1,1\n1,1,1\n"); }),
-              "response `y` is 1 in all 4 runs: there is nothing to fit");
+              "fit.toml: response `y` is 1 in all 4 runs: there is nothing to fit");
 }
