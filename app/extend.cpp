@@ -141,6 +141,11 @@ int extend(ExtendOptions const& options)
         input, options.runs, there,
         ensemble::source_text(file, in_place ? ensemble::name_of_kept_file(file) : file),
         in_place || !there.is_in_progress() ? ensemble::Keeping::whole_file : ensemble::Keeping::runs);
+    if (plan.ended == 0 && in_place)
+        throw InputError(
+            fmt::format("{}: no run of it has ended, so that there is nothing to go on from; run it first "
+                        "(demens {}), or make it anew: demens new FILE.toml --force",
+                        options.file, text::shell_word(options.file)));
     if (plan.held == 0 && in_place)
         throw InputError(fmt::format("{}: none of its {} runs holds for {}{}\nA new campaign that begins "
                                      "with its best point: --output OTHER.h5",

@@ -34,17 +34,21 @@ exit codes:
   1   anything else, e.g. a full disk, or a campaign none of whose runs finish
 )";
 
-//! A file without a subcommand is run; a word that is no file is a misspelt subcommand.
-int run_or_suggest(CLI::App const& program, std::string const& file)
+//! Whether a word is that of a file, or is meant to be.
+bool is_of_campaign(std::string const& word)
 {
-    auto const extension = std::filesystem::path(file).extension();
-    if (extension == ".toml" || extension == ".h5" || std::filesystem::exists(file))
-        return cli::run_campaign(file);
+    auto const extension = std::filesystem::path(word).extension();
+    return extension == ".toml" || extension == ".h5" || std::filesystem::exists(word);
+}
+
+//! \throws InputError that names the subcommand that is meant
+[[noreturn]] void suggest_subcommand(CLI::App const& program, std::string const& word)
+{
     std::vector<std::string> names;
     for (auto const* command : program.get_subcommands([](auto const*) { return true; }))
         names.push_back(command->get_name());
-    throw InputError(fmt::format("\"{}\" is neither a subcommand nor a file; {}", file,
-                                 ensemble::input::suggestion(file, names)));
+    throw InputError(fmt::format("\"{}\" is neither a subcommand nor a file; {}", word,
+                                 ensemble::input::suggestion(word, names)));
 }
 
 int do_what_is_asked(int argc, char** argv)
@@ -81,14 +85,21 @@ int do_what_is_asked(int argc, char** argv)
     program.footer(footer);
     try {
         program.parse(argc, argv);
+    } catch (CLI::ExtrasError const& error) {
+        // A misspelt subcommand is taken for the file, and its arguments are left over.
+        if (program.get_subcommands().empty() && !is_of_campaign(file))
+            suggest_subcommand(program, file);
+        return program.exit(error) == 0 ? cli::success : cli::bad_input;
     } catch (CLI::ParseError const& error) {
         return program.exit(error) == 0 ? cli::success : cli::bad_input;
     }
 
     if (action)
         return action();
+    if (!file.empty() && !is_of_campaign(file))
+        suggest_subcommand(program, file);
     if (!file.empty())
-        return run_or_suggest(program, file);
+        return cli::run_campaign(file);
     fmt::print("{}", program.help());
     return cli::bad_input;
 }

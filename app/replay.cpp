@@ -71,13 +71,19 @@ bool same(double a, double b)
 bool compare(ensemble::Experiment const& experiment, ensemble::RunRecord const& stored,
              rig::RunResult const& result)
 {
+    bool const is_stored = stored.status != rig::RunStatus::not_run;
     bool all_same = stored.status == result.status;
     fmt::print("status: {}{}{}; stored: {}\n", name_of(result.status), result.reason.empty() ? "" : ": ",
-               result.reason, name_of(stored.status));
+               result.reason,
+               is_stored ? name_of(stored.status) : "nothing, the campaign has not run it yet");
     for (std::size_t k = 0; k < experiment.responses.size(); ++k) {
         double const now = k < result.responses.size() ? result.responses[k] : std::nan("");
         double const before = k < stored.responses.size() ? stored.responses[k] : std::nan("");
         all_same = all_same && same(now, before);
+        if (!is_stored) {
+            fmt::print("{:<24} {}\n", experiment.responses[k].name, now);
+            continue;
+        }
         fmt::print("{:<24} {:<24} stored {:<24} {}\n", experiment.responses[k].name, now, before,
                    same(now, before) ? "the same bits" : "DIFFERENT");
     }
@@ -89,6 +95,11 @@ int replay(ReplayOptions const& options)
     auto const campaign = ensemble::read_campaign_file(options.file);
     auto const stored = run_to_simulate(campaign, options.file, options.run);
     auto const& experiment = campaign.input.experiments.at(static_cast<std::size_t>(stored.experiment));
+    if (options.check && stored.status == rig::RunStatus::not_run)
+        throw InputError(
+            fmt::format("{}: run {} has not been run yet, so that there is nothing to check; leave "
+                        "--check out to simulate it",
+                        options.file, options.run));
 
     std::optional<ReplayTeam> team;
     if (campaign.input.run.ranks_per_group > 1)

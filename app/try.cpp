@@ -95,8 +95,16 @@ void print_plan(ensemble::Experiment const& experiment, rig::RunInput const& inp
                    1e3 * smallest, 1e3 * largest, bodies.text());
     for (std::size_t k = 0; k < apparatus.walls.size(); ++k) {
         auto const& wall = apparatus.walls[k];
+        auto const& names = programme.names.walls;
+        auto const name = k < names.size() ? names[k] : fmt::format("{}", k);
+        if (auto const* round = std::get_if<dem::Cylinder>(&wall.shape);
+            round && dem::side_of(*round) != dem::RoundSide::near)
+            continue; // the same once more
+        if (auto const* round = std::get_if<dem::Cone>(&wall.shape);
+            round && dem::side_of(*round) != dem::RoundSide::near)
+            continue;
         Vector3 const centre = 1e3 * dem::centre(wall.shape);
-        fmt::print("  wall {:<11} of {}, around ({:.4g}, {:.4g}, {:.4g}) mm, reaches {:.4g} mm{}\n", k,
+        fmt::print("  wall {:<11} of {}, around ({:.4g}, {:.4g}, {:.4g}) mm, reaches {:.4g} mm{}\n", name,
                    apparatus.model.materials[wall.material.value].name, centre.x, centre.y, centre.z,
                    1e3 * dem::extent(wall.shape), wall.active ? "" : "; not there at first");
     }

@@ -49,7 +49,7 @@ PolyData particles_of(Snapshot const& snapshot)
     if (snapshot.material.size() == count)
         data.add_point_data("material", 1,
                             std::vector<std::int64_t>(snapshot.material.begin(), snapshot.material.end()));
-    if (snapshot.group.size() == count && count > 0)
+    if (snapshot.group.size() == count && !snapshot.names.groups.empty())
         data.add_point_data("group", 1, snapshot.group);
     add_names(data, "material_names", snapshot.names.materials);
     add_names(data, "group_names", snapshot.names.groups);

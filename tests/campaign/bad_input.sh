@@ -110,6 +110,40 @@ else
 fi
 rm -f before.h5 good.h5 good.h5.lock
 
+# What is given in the place of something else is told as what it is.
+printf 'a,b,y\n0,0,1\n1,0,2\n0,1,3\n1,1,4\n0.5,0.5,2.5\n' >table.csv
+printf '[fit]\ntable = "table.csv"\nmodel = "linear"\n[[factor]]\ncolumn = "a"\n[[response]]\ncolumn = "y"\n' >fit.toml
+"$demens" new good.toml >/dev/null 2>&1
+cp good.h5 before.h5
+expect 0 '^y: 5 runs' "$demens" fit fit.toml
+for command in "fit" "extend good.h5 --continue" "run"; do
+    # shellcheck disable=SC2086
+    expect 2 'table.csv:1: is a table, and no TOML file|not a campaign file' "$demens" $command table.csv
+done
+expect 2 'good.h5: is an HDF5 file, e.g. a campaign file' "$demens" fit good.h5
+expect 2 'good.h5: is an HDF5 file, e.g. a campaign file' "$demens" extend good.h5 --continue good.h5
+expect 2 'this is a campaign: `demens new good.toml`' "$demens" fit good.toml
+expect 2 'this is the file of a fit: `demens fit fit.toml`' "$demens" extend good.h5 --continue fit.toml
+refit() { # PATTERN SED_SCRIPT
+    sed "$2" fit.toml >bad.toml
+    cmp -s fit.toml bad.toml && fail "nothing changed by $2"
+    expect 2 "$1" "$demens" fit bad.toml
+}
+refit 'bad.toml:5: factor\[1\].column = "c": table.csv has no column `c`; its columns are a, b, y' 's|"a"|"c"|'
+refit 'bad.toml:7: response\[1\].column = "z": table.csv has no column' 's|"y"|"z"|'
+refit 'bad.toml:2: fit.table = "nothing.csv": there is no such file' 's|table.csv|nothing.csv|'
+refit 'bad.toml:5: factor\[1\].column = "a": none of its values in table.csv, 0 to 1, is between lower = 20 and upper = 30' \
+    's|"a"|"a"\nlower = 20\nupper = 30|'
+refit 'bad.toml:7: factor\[1\].lower = 0: must be above 0 where log_scale' 's|"a"|"a"\nlog_scale = true\nlower = 0|'
+refit 'bad.toml: response `y`: 5 runs cannot determine' 's|"linear"|"quadratic"\nselection = "none"|; s|column = "a"|column = "a"\n[[factor]]\ncolumn = "b"|'
+expect 2 'good.h5: no run of it has ended' "$demens" extend good.h5 --runs 3
+expect 2 'run 0 has not been run yet' "$demens" replay good.h5 --run 0 --check
+expect 2 '^--runs: "many" must be a number above 0' "$demens" extend good.h5 --runs many
+expect 2 '^--runs: "-3" must be a number above 0' "$demens" extend good.h5 --runs -3
+expect 2 '"stats" is neither a subcommand nor a file; did you mean "status"' "$demens" stats good.h5
+cmp -s good.h5 before.h5 || fail "good.h5 was changed by what was refused"
+rm -f bad.toml table.csv fit.toml good.h5 before.h5 good.h5.lock
+
 # A file that cannot be written whole is not there at all.
 (
     trap '' XFSZ

@@ -65,7 +65,7 @@ TEST(CustomOutlet, IsOpenInItsStagesAndForItsGroup)
 {
     auto const closed = drain + "stages = [\"after\"]\n";
     auto const stages = stage("fall", "duration_s = 0.25") + stage("after", "duration_s = 0.05");
-    EXPECT_EQ(response_of(rain(closed, fall + stage("after", "duration_s = 0.01")), "removed"), 20);
+    EXPECT_EQ(response_of(rain(closed, fall + stage("after", "duration_s = 0.005")), "removed"), 20);
     EXPECT_EQ(response_of(rain(closed, stages + response("then", "quantity = \"removed_count\"\nstage = "
                                                                  "\"fall\"\noutlet = \"drain\"")),
                           "then"),
