@@ -132,7 +132,12 @@ Particles const& Decomposition::gather(Particles const& mine, Fields fields)
     all.resize(found.size());
     std::vector<std::uint32_t> order(found.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return found.id[a] < found.id[b]; });
+    auto const& ids = found.id;
+    if (std::all_of(ids.begin(), ids.end(), [&](std::uint32_t id) { return id < ids.size(); }))
+        for (std::uint32_t k = 0; k < ids.size(); ++k)
+            order[ids[k]] = k; // none was taken out
+    else
+        std::sort(order.begin(), order.end(), [&](auto a, auto b) { return ids[a] < ids[b]; });
     for (std::size_t k = 0; k < found.size(); ++k) {
         std::uint32_t const from = order[k];
         all.place[k] = found.place[from], all.motion[k] = found.motion[from];
