@@ -28,9 +28,9 @@ a campaign:
 exit codes:
   0   done
   2   bad input: nothing was started, nothing was changed
-  75  stopped as asked: nothing is lost, the same command goes on. Ctrl-C (SIGINT) and SIGTERM
-      give up the runs in progress, SIGUSR1 lets them end (for 240 s at most); mpirun
-      returns 75 after SIGUSR1, and a code of its own (1) after Ctrl-C and SIGTERM
+  75  stopped as asked: run the same command again to go on, nothing is lost. Ctrl-C (SIGINT)
+      and SIGTERM give up the runs in progress, SIGUSR1 lets them end (for 240 s at most);
+      mpirun returns 75 after SIGUSR1, and a code of its own (1) after Ctrl-C and SIGTERM
   1   anything else, e.g. a full disk, or a campaign none of whose runs finish
 )";
 
