@@ -103,14 +103,25 @@ function measure_next() {
             + 'deviation, at the bounds of the factors, and at what the model leaves out. More runs of the same do not help.')];
     }
     const open = campaign.factors.filter((factor, index) => optimum.verdict && ![0, 3].includes(optimum.verdict[index]));
+    if (open.length === 0 && optimum.verdict && held_out_misses().length > 0) {
+        const worst = held_out_misses()[0];
+        return [element('p', {}, `All factors are determined, and yet the prediction of ${worst.cell} is ${number(Math.abs(worst.off), 2)} scales off: the model lacks something `
+            + 'that acts there. Look at that measurement, fit to both conditions, or let [gap] look for the effect.')];
+    }
     if (open.length === 0 && optimum.verdict)
-        return [element('p', {}, 'Nothing is needed for these factors: all are determined. Predict a condition that was not fitted, and measure it.')];
+        return [element('p', {}, 'Nothing is needed for these factors: all are determined'
+            + ((campaign.predicted || []).length > 0 ? ', and what was held out is predicted within its scale.' : '. Predict a condition that was not fitted, and measure it.'))];
     const lines = ((findings && findings.pairs) || []).map((pair, index) => element('p', {}, tradeoff_text(findings, pair, index)));
     const traded = new Set(((findings && findings.pairs) || []).flat());
     for (const [index, factor] of campaign.factors.entries())
         if (open.includes(factor) && !traded.has(index)) lines.push(element('p', {}, open_factor_text(factor, index)));
     return lines.length > 0 ? lines : [element('p', {class: 'note'}, 'Not known yet: too few finished runs.')];
 }
+
+// What was held out and predicted more than a scale off, worst first.
+const held_out_misses = () => (campaign.predicted || []).filter((one) => known(one.mean))
+    .map((one) => ({cell: one.cell, off: (one.mean - one.measured) / one.scale}))
+    .filter((one) => Math.abs(one.off) > 1).sort((a, b) => Math.abs(b.off) - Math.abs(a.off));
 
 const off_by = (target) => (campaign.optimum.responses[target.index] - target.value) / target.scale;
 

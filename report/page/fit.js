@@ -35,7 +35,7 @@ function goodness_of_fit() {
     if (!known(optimum.p_value)) return [];
     const missed = targets_missed(optimum);
     const lines = [element('p', {class: missed ? 'bad' : ''}, `The targets ${missed ? 'cannot' : 'can'} be met together: χ² `
-        + `${number(optimum.least_misfit)} on ${number(optimum.degrees)} degrees of freedom, p ${number(optimum.p_value, 2)}.`)];
+        + `${optimum.least_misfit < 1e-6 ? 0 : number(optimum.least_misfit)} on ${number(optimum.degrees)} degrees of freedom, p ${number(optimum.p_value, 2)}.`)];
     if (optimum.noise_inflation > 1) {
         lines.push(element('p', {class: missed ? 'bad' : 'note'}, `All noise is taken to be ${number(optimum.noise_inflation, 3)} `
             + 'times as large as stated, so that this misfit counts as noise: intervals are wider by about as much.'));

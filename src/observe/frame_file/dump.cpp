@@ -51,8 +51,7 @@ class Dump
             if (section.rfind("TIMESTEP", 0) == 0)
                 time_step_ = text::trimmed(required_line("a time step"));
             else if (section.rfind("NUMBER OF ATOMS", 0) == 0)
-                atoms_ = static_cast<std::size_t>(
-                    std::max(0.0, number(text::trimmed(required_line("a number of atoms")))));
+                atoms_ = atoms(text::trimmed(required_line("a number of atoms")));
             else if (section.rfind("BOX BOUNDS", 0) == 0)
                 read_box(section);
             else if (section.rfind("ATOMS", 0) == 0)
@@ -97,6 +96,13 @@ class Dump
         if (auto const value = text::number_of(word))
             return *value;
         refuse(fmt::format("\"{}\" is not a number", word));
+    }
+
+    std::size_t atoms(std::string_view word) const
+    {
+        if (auto const count = count_of(word, rest_.size())) // a line each
+            return *count;
+        refuse(fmt::format("\"{}\" stands where a number of atoms would, within the size of the file", word));
     }
 
     void read_box(std::string const& section)

@@ -38,6 +38,10 @@ std::optional<SizeName> size_among(Has const& has)
     return std::nullopt;
 }
 
+//! A count or an offset as it is written: whole, from 0 to `most`; none otherwise. A double beyond what an
+//! integer holds must not become one.
+std::optional<std::size_t> count_of(std::string_view text, std::size_t most);
+
 //! Spheres from coordinates, three a sphere, and sizes. \throws InputError when there are not as many of
 //! both, or a radius is not positive
 std::vector<dem::Place> spheres_of(std::span<double const> coordinates, std::span<double const> sizes,

@@ -3,6 +3,7 @@
 #include "src/observe/frame_file/formats.hpp"
 
 #include "demens/base/text/file.hpp"
+#include "demens/base/text/number.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,14 @@
 
 namespace demens::observe {
 namespace frame_file {
+
+std::optional<std::size_t> count_of(std::string_view text, std::size_t most)
+{
+    auto const value = text::number_of(text);
+    if (!value || !(*value >= 0 && *value <= static_cast<double>(most)) || *value != std::floor(*value))
+        return {};
+    return static_cast<std::size_t>(*value);
+}
 
 std::vector<dem::Place> spheres_of(std::span<double const> coordinates, std::span<double const> sizes,
                                    double radii, double unit, std::string const& origin)

@@ -63,10 +63,9 @@ class LegacyFile
     std::size_t count()
     {
         auto const text = word();
-        auto const value = text::number_of(text);
-        if (!value || *value < 0 || *value > static_cast<double>(content_.size()))
-            refuse(fmt::format("\"{}\" stands where a count would, within the size of the file", text));
-        return static_cast<std::size_t>(*value);
+        if (auto const value = count_of(text, content_.size()))
+            return *value;
+        refuse(fmt::format("\"{}\" stands where a count would, within the size of the file", text));
     }
     std::vector<double> array(std::size_t values, std::string_view type_name)
     {

@@ -164,11 +164,11 @@ class XmlFile
             return type.numbers(counted(from_base64(inside)), order_);
         if (format != "appended")
             refuse(fmt::format("an array has the format \"{}\", not ascii, binary or appended", format));
-        auto const offset = text::number_of(tag.get("offset"));
-        if (!offset || *offset < 0 || *offset >= static_cast<double>(appended_.size()))
+        auto const offset = count_of(tag.get("offset"), appended_.size());
+        if (!offset || *offset == appended_.size())
             refuse(
                 fmt::format("an array's offset \"{}\" is not within the appended data", tag.get("offset")));
-        auto const from = appended_.substr(static_cast<std::size_t>(*offset));
+        auto const from = appended_.substr(*offset);
         return type.numbers(appended_is_raw_ ? counted(from) : counted(from_base64(from)), order_);
     }
 

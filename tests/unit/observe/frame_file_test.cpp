@@ -4,6 +4,7 @@
 
 #include "demens/base/error.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -93,6 +94,10 @@ TEST_F(FrameFile, DumpsThatCannotBeReadSayWhy)
     EXPECT_SAYS(refusal("a.dump", dump_head + "ITEM: ATOMS x y z radius\n0 0 0 1\n0 0 b 1\n"),
                 "\"b\" is not a number");
     EXPECT_SAYS(refusal("a.dump", dump_head), "no \"ITEM: ATOMS\"");
+    for (char const* count : {"1e88", "-3", "2.5", "nan", "many"})
+        EXPECT_SAYS(
+            refusal("a.dump", fmt::format("ITEM: NUMBER OF ATOMS\n{}\nITEM: ATOMS x y z radius\n", count)),
+            fmt::format("a.dump:2: \"{}\" stands where a number of atoms would", count));
     EXPECT_SAYS(refusal("a.dump", "hello\n"), "neither a text dump");
     EXPECT_SAYS(refusal("a.dump", ""), "neither a text dump");
 }
