@@ -110,7 +110,7 @@ function measure_next() {
     }
     if (open.length === 0 && optimum.verdict)
         return [element('p', {}, 'Nothing is needed for these factors: all are determined'
-            + ((campaign.predicted || []).length > 0 ? ', and what was held out is predicted within its scale.' : '. Predict a condition that was not fitted, and measure it.'))];
+            + (held_out_met() ? ', and what was held out is predicted within its scale.' : '. Predict a condition that was not fitted, and measure it.'))];
     const lines = ((findings && findings.pairs) || []).map((pair, index) => element('p', {}, tradeoff_text(findings, pair, index)));
     const traded = new Set(((findings && findings.pairs) || []).flat());
     for (const [index, factor] of campaign.factors.entries())
@@ -122,6 +122,8 @@ function measure_next() {
 const held_out_misses = () => (campaign.predicted || []).filter((one) => known(one.mean))
     .map((one) => ({cell: one.cell, off: (one.mean - one.measured) / one.scale}))
     .filter((one) => Math.abs(one.off) > 1).sort((a, b) => Math.abs(b.off) - Math.abs(a.off));
+
+const held_out_met = () => (campaign.predicted || []).length > 0 && campaign.predicted.every((one) => known(one.mean)) && held_out_misses().length === 0;
 
 const off_by = (target) => (campaign.optimum.responses[target.index] - target.value) / target.scale;
 

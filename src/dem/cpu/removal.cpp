@@ -7,8 +7,6 @@
 namespace demens::dem {
 namespace {
 
-constexpr std::uint32_t gone = 0xffffffff;
-
 //! The contacts that touch between what stays. \param number_of the new number of a particle by the one it
 //! had
 template <class NumberOf>
@@ -44,20 +42,12 @@ std::size_t remove_particles(Particles& particles, ContactLists& contacts, Conta
     DEMENS_EXPECT(particles.ghosts == 0 && particles.body.empty() && particles.hull.empty(),
                   "spheres of one process");
     DEMENS_EXPECT(numbers.owned <= particles.size(), "lists know of particles that there are");
-    std::vector<std::uint32_t> new_number(particles.size(), gone);
-    std::uint32_t next = 0, owned = 0;
-    for (std::size_t k = 0; k < particles.size(); ++k) {
-        if (ids.contains(particles.id[k]))
-            continue;
-        particles.place[next] = particles.place[k];
-        particles.motion[next] = particles.motion[k];
-        particles.load[next] = particles.load[k];
-        particles.material[next] = particles.material[k];
-        particles.id[next] = particles.id[k];
-        owned += k < numbers.owned ? 1 : 0;
-        new_number[k] = next++;
-    }
-    particles.resize(next);
+    auto const new_number =
+        keep_particles(particles, [&](std::size_t k) { return !ids.contains(particles.id[k]); });
+    auto const owned =
+        numbers.owned -
+        static_cast<std::size_t>(std::count(
+            new_number.begin(), new_number.begin() + static_cast<std::ptrdiff_t>(numbers.owned), gone));
     auto const number_of = [&](std::uint32_t before) {
         if (before < numbers.owned)
             return new_number[before];

@@ -1,6 +1,8 @@
 #include "src/dem/cpu/decomposition/migration.hpp"
 
+#include "demens/base/contract.hpp"
 #include "src/dem/cpu/decomposition/particle_parcels.hpp"
+#include "src/dem/cpu/removal.hpp"
 
 #include <algorithm>
 
@@ -99,21 +101,10 @@ void Migration::move(Particles& particles, std::span<int const> owners)
 void Migration::compact(Particles& particles, std::span<int const> owners)
 {
     int const here = team_.rank();
-    std::uint32_t next = 0;
+    DEMENS_EXPECT(owners.size() == particles.size(), "an owner of each");
     old_ids_ = particles.id;
-    new_number_.assign(owners.size(), gone);
-    for (std::size_t i = 0; i < owners.size(); ++i) {
-        if (owners[i] != here)
-            continue;
-        particles.place[next] = particles.place[i];
-        particles.motion[next] = particles.motion[i];
-        particles.load[next] = particles.load[i];
-        particles.material[next] = particles.material[i];
-        particles.id[next] = particles.id[i];
-        new_number_[i] = next++;
-    }
-    particles.resize(next);
-    stayed_ = next;
+    new_number_ = keep_particles(particles, [&](std::size_t k) { return owners[k] == here; });
+    stayed_ = static_cast<std::uint32_t>(particles.size());
 }
 
 std::uint32_t Migration::find(std::uint32_t id) const

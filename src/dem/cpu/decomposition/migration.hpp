@@ -29,8 +29,6 @@ class Migration
     void renumber(Particles const& particles);
 
   private:
-    static constexpr std::uint32_t gone = 0xffffffff;
-
     std::uint32_t id_of(Particles const& particles, std::uint32_t number) const;
     void write_contacts(Particles const& particles, std::span<int const> owners,
                         std::vector<Team::Bytes>& parcels) const;
