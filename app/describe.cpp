@@ -42,9 +42,8 @@ std::string allowed_text(OptionSpec const& spec)
     if (!spec.choices.empty())
         return fmt::format("; one of {}", fmt::join(spec.choices, ", "));
     if (!spec.names_entry_of.empty())
-        return spec.names_entry_of == "material" || spec.names_entry_of == "size_distribution"
-                   ? fmt::format("; names a [{}.NAME]", spec.names_entry_of)
-                   : fmt::format("; the name of an [[experiment.{}]]", spec.names_entry_of);
+        return names_table(spec) ? fmt::format("; names a [{}.NAME]", spec.names_entry_of)
+                                 : fmt::format("; the name of an [[experiment.{}]]", spec.names_entry_of);
     auto const range = range_text(spec);
     return range.empty() ? "" : "; " + range;
 }

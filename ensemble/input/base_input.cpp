@@ -88,6 +88,8 @@ rig::RunInput make_run_input(BaseInput const& base, int experiment, std::uint64_
         if (!sizes.shapes.empty())
             input.shapes_of_sizes.emplace(sizes.name, make_mixture(sizes, base.shapes));
     }
+    for (auto const& shape : base.shapes)
+        input.shapes.emplace(shape.name, shape.shape);
     input.experiment = base.experiments.at(static_cast<std::size_t>(experiment));
     input.seed = seed;
     input.files = base.files;

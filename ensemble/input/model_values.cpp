@@ -82,7 +82,7 @@ std::vector<ModelValue> model_values(BaseInput const& base, std::vector<Experime
                                      std::size_t experiment)
 {
     ValueList values(base);
-    std::set<std::string> materials, sizes;
+    std::set<std::string> materials, sizes, shapes;
     auto const above = "experiment." + experiments[experiment].name + ".";
     values.add_text(above + "rig", experiments[experiment].rig->name);
     for_each_value(base, experiments, experiment,
@@ -92,6 +92,8 @@ std::vector<ModelValue> model_values(BaseInput const& base, std::vector<Experime
                            materials.insert(std::get<std::string>(base.value(place)));
                        if (spec.names_entry_of == "size_distribution")
                            sizes.insert(std::get<std::string>(base.value(place)));
+                       if (spec.names_entry_of == "shape")
+                           shapes.insert(std::get<std::string>(base.value(place)));
                        if (!spec.names_file)
                            return;
                        if (auto const file = base.files.find(std::get<std::string>(base.value(place)));
@@ -105,7 +107,6 @@ std::vector<ModelValue> model_values(BaseInput const& base, std::vector<Experime
     for (std::size_t p = 0; p < base.pairs.size(); ++p)
         if (auto const& pair = base.pairs[p]; materials.count(pair.first) && materials.count(pair.second))
             values.add(name_of(pair) + ".", Table::pair, p, contact::pair_options());
-    std::set<std::string> shapes;
     for (auto const& one : base.size_distributions)
         if (sizes.count(one.name)) {
             values.add_text("size_distribution." + one.name, text_of(one));

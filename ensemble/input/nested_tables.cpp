@@ -2,6 +2,7 @@
 
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/nearest.hpp"
+#include "ensemble/input/shapes.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -119,6 +120,8 @@ void check_references(InputTable const& table, rig::RigInfo const& rig, OptionVa
             return base.material_names();
         if (of == "size_distribution")
             return base.size_distribution_names();
+        if (of == "shape")
+            return names_of(base.shapes);
         std::vector<std::string> names;
         for (auto const& entry : values.tables(of))
             names.push_back(entry.text("name"));
@@ -130,8 +133,7 @@ void check_references(InputTable const& table, rig::RigInfo const& rig, OptionVa
                 if (spec.names_entry_of.empty())
                     continue;
                 auto const known = known_entries(spec.names_entry_of);
-                bool const global =
-                    spec.names_entry_of == "material" || spec.names_entry_of == "size_distribution";
+                bool const global = names_table(spec);
                 for (auto const& word : words_of(own.all().at(spec.key)))
                     if (!word.empty() && std::find(known.begin(), known.end(), word) == known.end())
                         throw at.error(

@@ -18,6 +18,8 @@ using grain::SizeMeasure;
 
 constexpr char const* sphere = "sphere"; // a shape that there always is
 
+} // namespace
+
 std::vector<std::string> names_of(std::vector<ShapeTable> const& shapes)
 {
     std::vector<std::string> names = {sphere};
@@ -25,8 +27,6 @@ std::vector<std::string> names_of(std::vector<ShapeTable> const& shapes)
         names.push_back(shape.name);
     return names;
 }
-
-} // namespace
 
 std::vector<ShapeTable> read_shapes(InputTable const& section, FileSource const& files, rig::Files& kept)
 {

@@ -3,6 +3,8 @@
 #include "demens/base/error.hpp"
 #include "demens/grain/clump_fit.hpp"
 
+#include <limits>
+
 namespace demens::grain {
 namespace {
 
@@ -27,6 +29,19 @@ shape::TriangleMesh mesh_of(Hull const& hull)
 
 } // namespace
 
+double BodyShape::reach(Vector3 const& direction) const
+{
+    double furthest = -std::numeric_limits<double>::infinity();
+    if (hull) {
+        for (Vector3 const& vertex : hull->core.vertices())
+            furthest = std::max(furthest, dot(vertex, direction));
+        return furthest + hull->rounding;
+    }
+    for (Ball const& ball : balls)
+        furthest = std::max(furthest, dot(ball.place, direction) + ball.radius);
+    return furthest;
+}
+
 BodyShape body_shape(std::span<Ball const> clump, std::string const& origin)
 {
     check(clump, origin);
@@ -34,7 +49,10 @@ BodyShape body_shape(std::span<Ball const> clump, std::string const& origin)
         return {{{{}, 1}}, {0.4, 0.4, 0.4}};
     MassProperties const properties = mass_properties(clump);
     double const radius = 0.5 * properties.equivalent_diameter();
-    return {scaled(in_principal_axes(clump, properties), 1 / radius), relative_inertia(properties, radius)};
+    return {scaled(in_principal_axes(clump, properties), 1 / radius),
+            relative_inertia(properties, radius),
+            {},
+            properties.axes};
 }
 
 BodyShape body_shape(RoundedHull const& hull, std::string const& origin)
@@ -44,7 +62,7 @@ BodyShape body_shape(RoundedHull const& hull, std::string const& origin)
     MassProperties const properties = mass_properties(hull);
     double const radius = 0.5 * properties.equivalent_diameter();
     RoundedHull const own = scaled(in_principal_axes(hull, properties), 1 / radius);
-    return {outline(own, origin), relative_inertia(properties, radius), own};
+    return {outline(own, origin), relative_inertia(properties, radius), own, properties.axes};
 }
 
 Clump outline(RoundedHull const& hull, std::string const& origin)

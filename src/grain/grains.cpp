@@ -25,12 +25,6 @@ std::vector<shape::Sphere> outline_of(GrainShape const& shape)
     return outline;
 }
 
-//! Radius of a ball around the centre that holds the shape, over that of the sphere of its volume.
-double reach_of(GrainShape const& shape)
-{
-    return shape.shape ? shape.shape->reach() : 1;
-}
-
 //! The grains of several kinds one after another, shuffled where there are several.
 template <class SampleKind>
 std::vector<Grain> joined(std::size_t kinds, RandomStream& random, SampleKind const& sample)
@@ -168,8 +162,7 @@ double Grains::smallest_ball() const
 {
     double diameter = smallest();
     for (Kind const& kind : kinds_)
-        for (shape::Sphere const& ball : kind.outline)
-            diameter = std::min(diameter, ball.radius * kind.sizes.smallest());
+        diameter = std::min(diameter, kind.shape.smallest_ball() * kind.sizes.smallest());
     return diameter;
 }
 
@@ -177,7 +170,7 @@ double Grains::widest() const
 {
     double diameter = 0;
     for (Kind const& kind : kinds_)
-        diameter = std::max(diameter, reach_of(kind.shape) * kind.sizes.largest());
+        diameter = std::max(diameter, kind.shape.reach() * kind.sizes.largest());
     return diameter;
 }
 
@@ -185,7 +178,7 @@ double Grains::looseness() const
 {
     double sum = 0;
     for (Kind const& kind : kinds_) {
-        double const reach = reach_of(kind.shape);
+        double const reach = kind.shape.reach();
         sum += kind.share / (kind.shape.is_hull() ? reach * reach * reach : reach);
     }
     return sum;

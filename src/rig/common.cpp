@@ -52,13 +52,8 @@ shape::SizeDistribution size_distribution_of(RunInput const& input)
     return tail > 0 ? sizes.with_class(1e-3 * o.number("tail_mm"), tail) : sizes;
 }
 
-namespace {
-
-//! \throws InputError where grains are polyhedra and a law acts where they do not overlap
-void check_laws_of_hulls(grain::Grains const& grains, RunInput const& input)
+void check_laws_of_hulls(RunInput const& input)
 {
-    if (!grains.have_hulls())
-        return;
     auto const& model = input.model;
     bool const one_material = input.experiment.has("material");
     for (auto const& pair : model.pairs) {
@@ -76,15 +71,14 @@ void check_laws_of_hulls(grain::Grains const& grains, RunInput const& input)
     }
 }
 
-} // namespace
-
 grain::Grains grains_of(RunInput const& input, std::string const& name, shape::SizeDistribution const& sizes)
 {
     auto const found = input.shapes_of_sizes.find(name);
     if (found == input.shapes_of_sizes.end())
         return grain::Grains(sizes);
     grain::Grains grains(sizes, found->second);
-    check_laws_of_hulls(grains, input);
+    if (grains.have_hulls())
+        check_laws_of_hulls(input);
     return grains;
 }
 

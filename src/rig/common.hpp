@@ -45,6 +45,8 @@ shape::SizeDistribution size_distribution_of(RunInput const& input);
 grain::Grains grains_of(RunInput const& input, std::string const& name, shape::SizeDistribution const& sizes);
 //! Those of the experiment's distribution.
 grain::Grains grains_of(RunInput const& input);
+//! \throws InputError where polyhedra would have laws that act where they do not overlap
+void check_laws_of_hulls(RunInput const& input);
 //! What the spheres of a mass [kg] miss of it and of their sizes: a warning or none. \throws InputError where
 //! a class of sizes gets no sphere
 std::vector<std::string> size_warnings(grain::Grains const& grains, double mass, double density);

@@ -25,11 +25,18 @@ struct OptionSpec
     double lower = -std::numeric_limits<double>::infinity(); //!< smallest allowed number, inclusive
     double upper = std::numeric_limits<double>::infinity();  //!< largest allowed number, inclusive
     std::vector<std::string> choices = {};                   //!< allowed words; empty: any
-    //! The word must name such an entry: "material", "size_distribution", or the key of tables of the same
-    //! rig.
+    //! The word must name such an entry: "material", "size_distribution", "shape", or the key of tables of
+    //! the same rig.
     std::string names_entry_of = {};
     bool names_file = false; //!< the word names a file, whose content goes with the input
 };
+
+//! Whether the word names a table of the whole campaign, not one of the rig.
+inline bool names_table(OptionSpec const& spec)
+{
+    auto const& of = spec.names_entry_of;
+    return of == "material" || of == "size_distribution" || of == "shape";
+}
 
 //! One of several kinds of a table, with the keys that only this kind has.
 struct TableKind

@@ -3,6 +3,7 @@
 #include "demens/contact/model.hpp"
 #include "demens/dem/body.hpp"
 #include "demens/dem/energy.hpp"
+#include "demens/dem/hull_place.hpp"
 #include "demens/dem/simulation_options.hpp"
 #include "demens/dem/state_record.hpp"
 #include "demens/dem/state_view.hpp"
@@ -59,6 +60,7 @@ class Engine
     virtual Health health() = 0;
     virtual StateView read(Fields fields) = 0;
     virtual StateView read_grains(Fields fields) { return read(fields); }
+    virtual std::vector<HullPlace> read_hulls() { return {}; }
     virtual std::vector<WallLoad> read_wall_loads() = 0;
     virtual double largest_speed() = 0;
     virtual double kinetic_energy() = 0;

@@ -27,8 +27,8 @@ class Simulation
     //! elements, of a sphere one. \throws InputError for a body that the engine, or its team, cannot move
     IdRange add(BodyBatch const& bodies) { return engine_->add(bodies); }
     ParticleId add(Body const& body) { return ParticleId{engine_->add(BodyBatch{body}).first}; }
-    //! Takes spheres out; the ids of the others stay, and none is given again. \throws InputError for an
-    //! engine, or grains, that cannot do it
+    //! Takes grains out: spheres, and whole bodies, each named by the id of its first element. The ids of the
+    //! others stay, and none is given again. \throws InputError for an engine that cannot do it
     void remove(std::span<ParticleId const> ids) { engine_->remove(ids); }
     WallId add(Wall const& wall) { return engine_->add(wall); }
     //! Puts a wall elsewhere, or gives it another shape; it stands still there. The pivot stays.
@@ -54,6 +54,8 @@ class Simulation
     //! The same of whole grains, for masses and motions: of a body of several elements its centre of mass,
     //! with the radius of the sphere of the same volume and the id of its first element.
     StateView read_grains(Fields fields) { return engine_->read_grains(fields); }
+    //! The grains among them that are hulls, in the order in which they were added.
+    std::vector<HullPlace> read_hulls() { return engine_->read_hulls(); }
     //! What the particles did to each wall in the last step.
     std::vector<WallLoad> read_wall_loads() { return engine_->read_wall_loads(); }
     double largest_speed() { return engine_->largest_speed(); }   //!< of particles [m/s]

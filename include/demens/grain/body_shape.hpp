@@ -15,6 +15,9 @@ struct BodyShape
     Clump balls;     //!< of a hull: balls within it that show where it is
     Vector3 inertia; //!< principal moments over mass and radius squared [-]; of a sphere 0.4 each
     std::optional<RoundedHull> hull = {}; //!< what touches; none: the balls
+    //! Turns its axes into those that its author gave it in: its orientation where it stands as written. No
+    //! matter once it has entered a simulation.
+    Quaternion as_given = {};
 
     bool is_hull() const { return hull.has_value(); }
     bool is_sphere() const { return !hull && balls.size() == 1; }
@@ -26,6 +29,8 @@ struct BodyShape
             furthest = std::max(furthest, norm(ball.place) + ball.radius);
         return furthest;
     }
+    //! How far it reaches from its centre along a direction of its own axes, of length 1.
+    double reach(Vector3 const& direction) const;
     //! Radius of the smallest ball.
     double smallest() const
     {
@@ -35,6 +40,13 @@ struct BodyShape
         return radius;
     }
 };
+
+//! Radius of the smallest ball that a grain is made of, over that of the sphere of the same volume; a hull
+//! counts as that sphere. \param shape none: a sphere
+inline double smallest_ball(BodyShape const* shape)
+{
+    return !shape || shape->is_hull() ? 1 : shape->smallest();
+}
 
 //! Of a clump in any axes and of any size. \throws InputError as `check`
 BodyShape body_shape(std::span<Ball const> clump, std::string const& origin);

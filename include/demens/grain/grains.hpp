@@ -20,6 +20,9 @@ struct GrainShape
 
     bool is_sphere() const { return !shape || shape->is_sphere(); }
     bool is_hull() const { return shape && shape->is_hull(); }
+    //! Of the furthest point from the centre, over the radius of the sphere of the same volume.
+    double reach() const { return shape ? shape->reach() : 1; }
+    double smallest_ball() const { return grain::smallest_ball(shape.get()); }
 };
 
 //! \param measured what is called its size

@@ -102,7 +102,8 @@ struct RunInput
     std::map<std::string, shape::SizeDistribution> size_distributions;
     //! Of the distributions whose grains are not spheres, by their names.
     std::map<std::string, grain::ShapeMixture> shapes_of_sizes = {};
-    OptionValues experiment; //!< checked values of the rig's options and tables
+    std::map<std::string, grain::GrainShape> shapes = {}; //!< that an experiment may name for one grain
+    OptionValues experiment;                              //!< checked values of the rig's options and tables
     std::uint64_t seed = 0;
     Files files = {};
     EngineChoice engine = EngineChoice::cpu; //!< others give other packings

@@ -3,6 +3,7 @@
 
 #include "demens/base/contract.hpp"
 #include "src/dem/cpu/particle_motion.hpp"
+#include "src/dem/cpu/removal.hpp"
 #include "src/dem/cpu/surrounding_loads.hpp"
 
 #include <algorithm>
@@ -109,11 +110,30 @@ void CpuEngine::add(Body const& body, Vector3 const& v)
     accounts_->particle_added(*params_, state_);
 }
 
+namespace {
+
+//! Adds the other elements of bodies whose first one is named. \return how many more ids these have, of a
+//! hull those of the balls that it is read as
+std::size_t note_elements(State const& state, std::unordered_set<std::uint32_t>& ids)
+{
+    RigidBodies const& bodies = state.bodies;
+    std::size_t more = 0;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        std::size_t const first = bodies.elements_begin(b);
+        if (!ids.contains(state.particles.id[bodies.element[first]]))
+            continue;
+        for (std::size_t e = first; e < bodies.elements_end[b]; ++e)
+            ids.insert(state.particles.id[bodies.element[e]]);
+        more += bodies.ids(b) - 1;
+    }
+    return more;
+}
+
+} // namespace
+
 //! Neighbours feel the loads of the last step once more, those of what is gone too, as when a wall goes.
 void CpuEngine::remove(std::span<ParticleId const> ids)
 {
-    if (!state_.bodies.empty())
-        throw InputError("grains that are not spheres ([shape.NAME]) cannot be taken out of a simulation");
     if (ids.empty())
         return;
     std::unordered_set<std::uint32_t> numbers;
@@ -121,11 +141,14 @@ void CpuEngine::remove(std::span<ParticleId const> ids)
         numbers.insert(id.value);
     DEMENS_EXPECT(numbers.size() == ids.size(), "each is named once");
     accounts_->before_removal(*params_, state_);
-    partition_->remove(state_.particles, state_.contacts, numbers);
-    state_.particles_removed += static_cast<std::uint32_t>(ids.size());
+    std::size_t const all = ids.size() + note_elements(state_, numbers);
+    auto const new_numbers = partition_->remove(state_.particles, state_.contacts, numbers);
+    if (!state_.bodies.empty())
+        remove_bodies(state_.particles, state_.bodies, state_.hulls, new_numbers);
+    state_.particles_removed += static_cast<std::uint32_t>(all);
     accounts_->after_removal(*params_, state_);
     note_change();
-    DEMENS_EXPECT(partition_->sum(static_cast<double>(state_.particles.owned())) + state_.particles_removed ==
+    DEMENS_EXPECT(partition_->sum(static_cast<double>(ids_here(state_))) + state_.particles_removed ==
                       state_.particles_added,
                   "all of them were there");
 }

@@ -34,6 +34,7 @@ class CpuEngine final : public Engine
     Health health() override;
     StateView read(Fields fields) override;
     StateView read_grains(Fields fields) override;
+    std::vector<HullPlace> read_hulls() override;
     std::vector<WallLoad> read_wall_loads() override;
     double largest_speed() override;
     double kinetic_energy() override;

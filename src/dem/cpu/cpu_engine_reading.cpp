@@ -63,6 +63,24 @@ StateView CpuEngine::read_grains(Fields fields)
     return view_of(grains_, fields, {});
 }
 
+std::vector<HullPlace> CpuEngine::read_hulls()
+{
+    RigidBodies const& bodies = state_.bodies;
+    std::vector<HullPlace> hulls;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (!bodies.is_hull(b))
+            continue;
+        std::uint32_t const k = bodies.element[bodies.elements_begin(b)];
+        Place const& p = state_.particles.place[k];
+        hulls.push_back({ParticleId{state_.particles.id[k]},
+                         {p.x, p.y, p.z},
+                         bodies.pose[b].orientation,
+                         bodies.mass[b].radius,
+                         bodies.hull_shapes[bodies.hull[b]]});
+    }
+    return hulls;
+}
+
 std::vector<WallLoad> CpuEngine::read_wall_loads()
 {
     return partition_->sum(present().wall_loads);

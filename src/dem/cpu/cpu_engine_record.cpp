@@ -29,8 +29,7 @@ CpuEngine::CpuEngine(contact::Model const& model, SimulationOptions const& optio
         for (Place const& p : state_.particles.place)
             radius = std::max(radius, p.radius);
     });
-    // Of a hull each ball that it is read as has an id.
-    std::size_t const ids = state_.particles.owned() - state_.bodies.element.size() + state_.bodies.all_ids();
+    std::size_t const ids = ids_here(state_);
     expect_fit(partition_->sum(static_cast<double>(ids)) + state_.particles_removed == state_.particles_added,
                "there are fewer or more particles than were added"); // the same answer on all processes
     std::vector<double> count(materials_.size());

@@ -13,10 +13,10 @@ class Undivided final : public Partition
   public:
     bool has_ghosts() const override { return false; }
     bool takes(std::uint32_t, Particles&) override { return true; }
-    void remove(Particles& particles, ContactLists& contacts,
-                std::unordered_set<std::uint32_t> const& ids) override
+    std::vector<std::uint32_t> remove(Particles& particles, ContactLists& contacts,
+                                      std::unordered_set<std::uint32_t> const& ids) override
     {
-        remove_particles(particles, contacts, {particles.size(), {}}, ids);
+        return remove_particles(particles, contacts, {particles.size(), {}}, ids).new_number;
     }
     void require_rigid_bodies() const override {}
     void distribute(Particles&, ContactLists&, MeetingReach const&) override {}

@@ -33,10 +33,10 @@ class Partition
     //! Before a particle with this id is added: whether this process takes it, until the next rebuild sends
     //! it where it belongs.
     virtual bool takes(std::uint32_t id, Particles& particles) = 0;
-    //! Takes the spheres with these ids, of any process, out of the columns and of the lists, which are stale
-    //! then.
-    virtual void remove(Particles& particles, ContactLists& contacts,
-                        std::unordered_set<std::uint32_t> const& ids) = 0;
+    //! Takes the particles with these ids, of any process, out of the columns and of the lists, which are
+    //! stale then. \return new numbers of those of this process, as `remove_particles`
+    virtual std::vector<std::uint32_t> remove(Particles& particles, ContactLists& contacts,
+                                              std::unordered_set<std::uint32_t> const& ids) = 0;
     //! \throws InputError where it cannot share bodies of several elements.
     virtual void require_rigid_bodies() const = 0;
 

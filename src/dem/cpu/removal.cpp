@@ -3,6 +3,7 @@
 #include "demens/base/contract.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace demens::dem {
 namespace {
@@ -36,13 +37,12 @@ void keep_contacts(ContactList& list, NumberOf const& number_of)
 
 } // namespace
 
-std::size_t remove_particles(Particles& particles, ContactLists& contacts, ContactNumbers const& numbers,
-                             std::unordered_set<std::uint32_t> const& ids)
+Renumbered remove_particles(Particles& particles, ContactLists& contacts, ContactNumbers const& numbers,
+                            std::unordered_set<std::uint32_t> const& ids)
 {
-    DEMENS_EXPECT(particles.ghosts == 0 && particles.body.empty() && particles.hull.empty(),
-                  "spheres of one process");
+    DEMENS_EXPECT(particles.ghosts == 0, "particles of one process");
     DEMENS_EXPECT(numbers.owned <= particles.size(), "lists know of particles that there are");
-    auto const new_number =
+    auto new_number =
         keep_particles(particles, [&](std::size_t k) { return !ids.contains(particles.id[k]); });
     auto const owned =
         numbers.owned -
@@ -55,7 +55,71 @@ std::size_t remove_particles(Particles& particles, ContactLists& contacts, Conta
         return ids.contains(numbers.ghost_ids[ghost]) ? gone : static_cast<std::uint32_t>(owned + ghost);
     };
     contacts.for_each([&](ContactList& list) { keep_contacts(list, number_of); });
-    return owned;
+    return {std::move(new_number), owned};
+}
+
+namespace {
+
+//! Keeps the pairs of what stays, with memories and histories.
+void keep_hull_contacts(HullContactList& list, std::span<std::uint32_t const> new_numbers)
+{
+    HullContactList const old = std::move(list);
+    list = {.interaction = old.interaction, .with_walls = old.with_walls, .state_size = old.state_size};
+    std::size_t c = 0;
+    for (std::uint32_t p = 0; p < old.pairs.size(); ++p) {
+        HullPair pair = old.pairs[p];
+        pair.first = new_numbers[pair.first];
+        if (!list.with_walls)
+            pair.second = new_numbers[pair.second];
+        bool const stays = pair.first != gone && pair.second != gone;
+        for (; c < old.contacts.size() && old.contacts[c].pair == p; ++c)
+            if (stays) {
+                list.contacts.push_back(old.contacts[c]);
+                list.contacts.back().pair = static_cast<std::uint32_t>(list.pairs.size());
+                list.state.insert(list.state.end(), old.history(c), old.history(c) + old.state_size);
+            }
+        if (stays)
+            list.pairs.push_back(pair);
+    }
+}
+
+//! A body with its elements, from one set of columns to the end of another.
+void append_body(RigidBodies& to, RigidBodies const& from, std::size_t body,
+                 std::span<std::uint32_t const> new_numbers)
+{
+    to.pose.push_back(from.pose[body]), to.motion.push_back(from.motion[body]);
+    to.mass.push_back(from.mass[body]), to.load.push_back(from.load[body]);
+    if (!from.hull.empty())
+        to.hull.push_back(from.hull[body]);
+    for (std::size_t e = from.elements_begin(body); e < from.elements_end[body]; ++e) {
+        to.element.push_back(new_numbers[from.element[e]]);
+        to.arm.push_back(from.arm[e]), to.image.push_back(from.image[e]);
+        to.arm_now.push_back(from.arm_now[e]);
+    }
+    to.elements_end.push_back(static_cast<std::uint32_t>(to.element.size()));
+}
+
+} // namespace
+
+void remove_bodies(Particles& particles, RigidBodies& bodies, HullContactLists& hulls,
+                   std::span<std::uint32_t const> new_numbers)
+{
+    hulls.for_each([&](HullContactList& list) { keep_hull_contacts(list, new_numbers); });
+    RigidBodies kept;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (new_numbers[bodies.element[bodies.elements_begin(b)]] == gone)
+            continue;
+        append_body(kept, bodies, b, new_numbers);
+        for (std::size_t e = kept.elements_begin(kept.size() - 1); e < kept.element.size(); ++e)
+            particles.body[kept.element[e]] = static_cast<std::uint32_t>(kept.size() - 1);
+    }
+    if (kept.empty()) {
+        particles.body.clear(), particles.hull.clear();
+        hulls.for_each([](HullContactList& list) { list.clear(); });
+    } else {
+        kept.hull_shapes = std::move(bodies.hull_shapes);
+    }
+    bodies = std::move(kept);
 }
 
 } // namespace demens::dem

@@ -2,6 +2,8 @@
 
 #include "demens/dem/particles.hpp"
 #include "src/dem/cpu/contact_list.hpp"
+#include "src/dem/cpu/hulls/hull_contact_list.hpp"
+#include "src/dem/cpu/rigid_bodies.hpp"
 
 #include <span>
 #include <unordered_set>
@@ -34,16 +36,36 @@ std::vector<std::uint32_t> keep_particles(Particles& particles, Stays const& sta
         particles.load[next] = particles.load[k];
         particles.material[next] = particles.material[k];
         particles.id[next] = particles.id[k];
+        if (!particles.body.empty())
+            particles.body[next] = particles.body[k];
+        if (!particles.hull.empty())
+            particles.hull[next] = particles.hull[k];
         new_number[k] = next++;
     }
     particles.resize(next);
+    if (!particles.body.empty())
+        particles.body.resize(next);
+    if (!particles.hull.empty())
+        particles.hull.resize(next);
     return new_number;
 }
 
-//! Takes spheres of a process, without its ghosts, out of the columns and of the lists, which keep the
-//! contacts that touch, with their histories, and want to be made anew. \param ids of those that go \return
-//! how many particles the lists know as owned now
-std::size_t remove_particles(Particles& particles, ContactLists& contacts, ContactNumbers const& numbers,
-                             std::unordered_set<std::uint32_t> const& ids);
+//! What has become of the particles of a process.
+struct Renumbered
+{
+    std::vector<std::uint32_t> new_number; //!< by the old ones; `gone` of those that are taken out
+    std::size_t owned;                     //!< how many of them contact lists know as owned now
+};
+
+//! Takes particles of a process, without its ghosts, out of the columns and of the lists, which keep the
+//! contacts that touch, with their histories, and want to be made anew. \param ids of those that go, of
+//! bodies of all their elements
+Renumbered remove_particles(Particles& particles, ContactLists& contacts, ContactNumbers const& numbers,
+                            std::unordered_set<std::uint32_t> const& ids);
+
+//! The bodies and the contacts of hulls after that: those of elements that are gone are taken out, and the
+//! columns are those of spheres alone where no body is left.
+void remove_bodies(Particles& particles, RigidBodies& bodies, HullContactLists& hulls,
+                   std::span<std::uint32_t const> new_numbers);
 
 } // namespace demens::dem

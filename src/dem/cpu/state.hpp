@@ -46,6 +46,12 @@ struct State
     bool overlapping = false; //!< an overlap was beyond the limit since the last check
 };
 
+//! How many ids the grains of this process have: of a hull each ball that it is read as has one.
+inline std::size_t ids_here(State const& state)
+{
+    return state.particles.owned() - state.bodies.element.size() + state.bodies.all_ids();
+}
+
 //! Adds empty lists of contacts for the next law set.
 inline void add_law_set(State& state, contact::StateLayout const& layout, bool with_ghosts)
 {

@@ -4,6 +4,8 @@
 #include "demens/base/error.hpp"
 #include "demens/observe/surface.hpp"
 #include "src/rig/common.hpp"
+#include "src/rig/custom/body_overlap.hpp"
+#include "src/rig/one_grain.hpp"
 #include "src/rig/option_specs.hpp"
 
 #include <algorithm>
@@ -34,23 +36,23 @@ void check_overlaps(std::vector<Body> const& bodies, std::size_t old, double lim
 {
     std::vector<Interval> intervals;
     for (auto const& body : bodies)
-        intervals.push_back({body.place.x - body.radius, body.place.x + body.radius, &body});
+        intervals.push_back({body.place.x - body.reach(), body.place.x + body.reach(), &body});
     std::sort(intervals.begin(), intervals.end(), [](auto const& a, auto const& b) {
         return a.from != b.from ? a.from < b.from : a.body < b.body;
     });
     auto const is_old = [&](Body const* body) {
         return static_cast<std::size_t>(body - bodies.data()) < old;
     };
-    double worst = limit;
+    BodyOverlap worst{limit, 1};
     Body const *first = nullptr, *second = nullptr;
     for (std::size_t i = 0; i < intervals.size(); ++i)
         for (std::size_t j = i + 1; j < intervals.size() && intervals[j].from < intervals[i].to; ++j) {
             auto const &a = *intervals[i].body, &b = *intervals[j].body;
             if (is_old(&a) && is_old(&b))
                 continue;
-            double const overlap = a.radius + b.radius - norm(a.place - b.place);
-            if (double const relative = overlap / std::min(a.radius, b.radius); relative > worst) {
-                worst = relative;
+            BodyOverlap const overlap = overlap_of(a, b);
+            if (overlap.relative() > worst.relative()) {
+                worst = overlap;
                 first = std::min(&a, &b);
                 second = std::max(&a, &b);
             }
@@ -60,8 +62,8 @@ void check_overlaps(std::vector<Body> const& bodies, std::size_t old, double lim
             "two particles overlap by {:.4g} mm, {:.3g} of the smaller radius, where initial_overlap = "
             "{:.3g}: {} "
             "({}) and {} ({})",
-            1e3 * (first->radius + second->radius - norm(first->place - second->place)), worst, limit,
-            first->origin, in_millimetres(first->place), second->origin, in_millimetres(second->place)));
+            1e3 * worst.depth, worst.relative(), limit, first->origin, in_millimetres(first->place),
+            second->origin, in_millimetres(second->place)));
 }
 
 template <class Shape>
@@ -115,13 +117,14 @@ void check_bodies(Setup const& setup, ParticleGroup const& group, std::vector<Bo
     for (auto const& body : bodies) {
         check_in_domain(setup, body);
         for (auto const* wall : walls)
-            for (auto const& part : wall->parts) {
-                double const overlap = overlap_with(part, body.place, body.radius);
-                if (overlap > setup.overlap_limit * body.radius)
-                    throw InputError(fmt::format(
-                        "{} at {}, radius {:.4g} mm, reaches {:.4g} mm into the wall {}", body.origin,
-                        in_millimetres(body.place), 1e3 * body.radius, 1e3 * overlap, wall->name));
-            }
+            for (auto const& part : wall->parts)
+                for_each_ball(body, [&](Vector3 const& centre, double radius, double compared) {
+                    double const overlap = overlap_with(part, centre, radius);
+                    if (overlap > setup.overlap_limit * compared)
+                        throw InputError(fmt::format(
+                            "{} at {}, radius {:.4g} mm, reaches {:.4g} mm into the wall {}", body.origin,
+                            in_millimetres(body.place), 1e3 * body.radius, 1e3 * overlap, wall->name));
+                });
     }
 }
 
@@ -191,16 +194,41 @@ void check_above_others(Setup const& setup, ParticleGroup const& group, Body bod
                     group.name));
 }
 
-std::vector<Body> existing(dem::StateView const& particles)
+//! Particles by their ids.
+std::vector<std::size_t> in_order(dem::StateView const& particles)
 {
-    std::vector<std::size_t> order(particles.size()); // of ids
+    std::vector<std::size_t> order(particles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::sort(order.begin(), order.end(),
               [&](auto a, auto b) { return particles.id(a).value < particles.id(b).value; });
+    return order;
+}
+
+//! What is there: spheres, those of clumps by themselves, and polyhedra.
+std::vector<Body> existing(Look& look)
+{
+    auto const& particles = look.particles();
+    auto const hulls = look.simulation().read_hulls();
     std::vector<Body> bodies;
-    for (std::size_t const k : order)
-        bodies.push_back(
-            {.place = particles.position(k), .radius = particles.radius(k), .origin = "a particle there"});
+    constexpr char const* origin = "a particle there";
+    for (auto const& hull : hulls)
+        bodies.push_back({.place = hull.position,
+                          .radius = hull.radius,
+                          .origin = origin,
+                          .shape = hull.shape,
+                          .orientation = hull.orientation});
+    auto const is_of = [](dem::HullPlace const& hull, std::uint32_t id) {
+        return id >= hull.id.value && id - hull.id.value < hull.shape->balls.size();
+    };
+    auto next = hulls.begin(); // in the order of their ids
+    for (std::size_t const k : in_order(particles)) {
+        std::uint32_t const id = particles.id(k).value;
+        while (next != hulls.end() && next->id.value < id && !is_of(*next, id))
+            ++next;
+        if (next == hulls.end() || !is_of(*next, id))
+            bodies.push_back(
+                {.place = particles.position(k), .radius = particles.radius(k), .origin = origin});
+    }
     return bodies;
 }
 
@@ -222,8 +250,8 @@ std::vector<Body> fill(Look& look, Setup const& setup, std::size_t number, Packi
     RandomStream sizes(derive_seed(stream, 1)), places(derive_seed(stream, 2));
     auto const sample = sample_of(packing, setup.density(setup.groups[number]), sizes);
     std::vector<shape::Sphere> obstacles;
-    for (auto const& body : existing(look.particles()))
-        obstacles.push_back({body.place, body.radius});
+    for (std::size_t const k : in_order(look.particles()))
+        obstacles.push_back({look.particles().position(k), look.particles().radius(k)});
     auto const is_free = [&](Vector3 const& p, double r) {
         if ((packing.within && !shape::contains(*packing.within, p, r)) ||
             crosses_border(setup.options.periodic, p, r))
@@ -268,10 +296,13 @@ std::vector<Body> bodies_of(Look& look, Setup const& setup, std::size_t number)
     if (auto const& clearance = setup.groups[number].clearance) {
         double const level = level_of(look.particles(), setup.upright);
         look.progress().groups[number].level = level;
-        for (auto& body : bodies)
-            body.place = at_height(setup, body.place, level + *clearance + body.radius);
+        for (auto& body : bodies) {
+            double const depth =
+                reach_along(body.shape.get(), body.radius, body.orientation, setup.upright.back({0, 0, -1}));
+            body.place = at_height(setup, body.place, level + *clearance + depth);
+        }
     }
-    auto all = existing(look.particles());
+    auto all = existing(look);
     auto const old = all.size();
     all.insert(all.end(), bodies.begin(), bodies.end());
     check_overlaps(all, old, setup.overlap_limit);

@@ -37,11 +37,12 @@ bool is_open(OutletPlan const& outlet, std::size_t stage)
 TableSpec outlet_table()
 {
     return {.key = "outlet",
-            .doc = "a region in which particles leave the experiment",
-            .options = {required_word("name", "its name"),
-                        required(entry("region", "region", "particles whose centres are in it leave")),
-                        entry("of", "particles", "group that leaves; empty: all"),
-                        entries("stages", "stage", "in which it is open; none: all of them")}};
+            .doc = "a region in which grains leave the experiment",
+            .options = {
+                required_word("name", "its name"),
+                required(entry("region", "region", "grains whose centres of mass are in it leave, whole")),
+                entry("of", "particles", "group that leaves; empty: all"),
+                entries("stages", "stage", "in which it is open; none: all of them")}};
 }
 
 std::vector<OutletPlan> read_outlets(OptionValues const& experiment, Regions const& regions)
@@ -69,7 +70,7 @@ bool is_open(Setup const& setup, std::size_t stage)
 void let_out(Bench& bench, Setup const& setup, std::size_t stage)
 {
     Look look(bench);
-    auto const& all = look.particles();
+    auto const& all = look.grains();
     std::vector<std::size_t> order(all.size()); // of ids, so that sums depend on nothing else
     for (std::size_t k = 0; k < order.size(); ++k)
         order[k] = k;

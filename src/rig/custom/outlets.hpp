@@ -20,8 +20,8 @@ struct OutletPlan
 std::vector<OutletPlan> read_outlets(OptionValues const& experiment, Regions const& regions);
 
 bool is_open(Setup const& setup, std::size_t stage);
-//! Takes out the particles that are in an open outlet now, and counts them: with several outlets in the same
-//! place, for the first.
+//! Takes out the grains whose centres are in an open outlet now, and counts them: with several outlets in the
+//! same place, for the first.
 void let_out(Bench& bench, Setup const& setup, std::size_t stage);
 
 //! What has left so far.

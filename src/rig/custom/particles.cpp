@@ -6,6 +6,7 @@
 #include "src/rig/custom/geometry.hpp"
 #include "src/rig/custom/selection.hpp"
 #include "src/rig/kinds.hpp"
+#include "src/rig/one_grain.hpp"
 #include "src/rig/option_specs.hpp"
 
 #include <algorithm>
@@ -30,17 +31,52 @@ std::string place_of(OptionValues const& o)
     return "particles." + o.text("name");
 }
 
-Source read_body(OptionValues const& o, RunInput const&, Regions const&)
+//! Of what is random about a group; not that of a packing's places and sizes.
+std::uint64_t seed_of(OptionValues const& o, RunInput const& input)
 {
-    return ParticleTable{{{millimetres(o, "place_mm"), 0.5e-3 * o.number("diameter_mm"),
-                           o.vector("velocity_m_s"), o.vector("spin_rad_s"), place_of(o)}}};
+    auto const& groups = input.experiment.tables("particles");
+    auto const number = position_of(groups, o.text("name"), groups.size());
+    return derive_seed(derive_seed(input.seed, number + 1), 0);
+}
+
+Source read_body(OptionValues const& o, RunInput const& input, Regions const&)
+{
+    auto const shape = in_place(place_of(o), [&] { return shape_of(input, o); });
+    auto const orientation =
+        in_place(place_of(o), [&] { return orientation_of(o, shape, seed_of(o, input)); });
+    return ParticleTable{
+        {{millimetres(o, "place_mm"), radius_of(shape, 1e-3 * o.number("diameter_mm")),
+          o.vector("velocity_m_s"), o.vector("spin_rad_s"), place_of(o), shape.shape, orientation}}};
+}
+
+//! How the grains of a table stand. \throws InputError
+void orient(ParticleTable& table, OptionValues const& o, RunInput const& input,
+            grain::GrainShape const& shape)
+{
+    bool const at_random = stands_at_random(o, shape);
+    if (at_random && table.has_orientations)
+        throw InputError(
+            "orientation = \"random\", and the table says how they stand (qw, qx, qy, qz); leave "
+            "one of them out");
+    if (shape.is_sphere() && table.has_orientations)
+        table.unused.insert(table.unused.end(), {"qw", "qx", "qy", "qz"});
+    RandomStream random(seed_of(o, input));
+    for (Body& body : table.bodies)
+        body.orientation = at_random ? shape::random_orientation(random) : turned(shape, body.orientation);
 }
 
 Source read_csv(OptionValues const& o, RunInput const& input, Regions const&)
 {
     auto table = read_particle_csv(*input.files.at(o.text("file")), o.text("file"));
-    for (auto& body : table.bodies)
-        body.place += millimetres(o, "shift_mm");
+    in_place(place_of(o), [&] {
+        auto const shape = shape_of(input, o);
+        orient(table, o, input, shape);
+        for (Body& body : table.bodies) {
+            body.place += millimetres(o, "shift_mm");
+            body.radius = radius_of(shape, 2 * body.radius);
+            body.shape = shape.shape;
+        }
+    });
     return table;
 }
 
@@ -85,20 +121,25 @@ using SourceKind = ReadKind<Source, RunInput const&, Regions const&>;
 std::vector<SourceKind> make_sources()
 {
     auto const velocity = vector("velocity_m_s", {}, "velocity at first [m/s]");
-    return {{{"body",
-              "one sphere",
-              {required(number("diameter_mm", 0, "diameter [mm]", positive)),
-               required_vector("place_mm", "centre [mm]"), velocity,
-               vector("spin_rad_s", {}, "angular velocity at first [rad/s]"),
-               number("clearance_mm", not_given,
-                      "its lowest point enters so high above the mean surface of the particles then "
-                      "there; how high place_mm is is not used [mm]",
-                      0)}},
+    auto const shapes = shape_options();
+    return {{{"body", "one grain",
+              joined({{required(number("diameter_mm", 0, "diameter; of a shape what it calls its size [mm]",
+                                       positive)),
+                       required_vector("place_mm", "centre of mass [mm]"), velocity,
+                       vector("spin_rad_s", {}, "angular velocity at first [rad/s]"),
+                       number("clearance_mm", not_given,
+                              "its lowest point enters so high above the mean surface of the particles then "
+                              "there; how high place_mm is is not used [mm]",
+                              0)},
+                      shapes,
+                      {turn_option()}})},
              read_body},
-            {{"csv",
-              "spheres from a table",
-              {file("file", "CSV with the header x,y,z,radius or x,y,z,radius,vx,vy,vz in m and m/s"),
-               vector("shift_mm", {}, "added to all places [mm]")}},
+            {{"csv", "grains from a table, of one shape",
+              joined({{file("file", "CSV with the header x,y,z,radius and, if known, vx,vy,vz, wx,wy,wz and "
+                                    "qw,qx,qy,qz, in m, m/s and rad/s; the radius is half of what a shape "
+                                    "calls its size, the quaternion turns it from as it is given"),
+                       vector("shift_mm", {}, "added to all places [mm]")},
+                      shapes})},
              read_csv},
             {{"packing",
               "spheres at random places, which depend on the run's seed",
@@ -148,34 +189,37 @@ bool ParticleGroup::is_inlet() const
 
 bool ParticleGroup::are_spheres() const
 {
-    auto const* packing = std::get_if<Packing>(&source);
-    return !packing || packing->grains->are_spheres();
+    if (auto const* packing = std::get_if<Packing>(&source))
+        return packing->grains->are_spheres();
+    return !std::get<ParticleTable>(source).bodies.front().shape; // all are of one shape
 }
 
 bool ParticleGroup::have_hulls() const
 {
-    auto const* packing = std::get_if<Packing>(&source);
-    return packing && packing->grains->have_hulls();
+    if (auto const* packing = std::get_if<Packing>(&source))
+        return packing->grains->have_hulls();
+    auto const& shape = std::get<ParticleTable>(source).bodies.front().shape;
+    return shape && shape->is_hull();
 }
 
 double ParticleGroup::smallest() const
 {
     if (auto const* packing = std::get_if<Packing>(&source))
         return packing->grains->smallest_ball();
-    auto const& bodies = std::get<ParticleTable>(source).bodies;
-    return 2 * std::min_element(bodies.begin(), bodies.end(), [](auto const& a, auto const& b) {
-                   return a.radius < b.radius;
-               })->radius;
+    double diameter = std::numeric_limits<double>::infinity();
+    for (Body const& body : std::get<ParticleTable>(source).bodies)
+        diameter = std::min(diameter, 2 * body.radius * grain::smallest_ball(body.shape.get()));
+    return diameter;
 }
 
 double ParticleGroup::largest() const
 {
     if (auto const* packing = std::get_if<Packing>(&source))
         return packing->grains->widest();
-    auto const& bodies = std::get<ParticleTable>(source).bodies;
-    return 2 * std::max_element(bodies.begin(), bodies.end(), [](auto const& a, auto const& b) {
-                   return a.radius < b.radius;
-               })->radius;
+    double diameter = 0;
+    for (Body const& body : std::get<ParticleTable>(source).bodies)
+        diameter = std::max(diameter, 2 * body.reach());
+    return diameter;
 }
 
 double ParticleGroup::expected_count(double density) const
@@ -203,7 +247,7 @@ shape::BoxRegion ParticleGroup::bounds() const
     if (auto const* packing = std::get_if<Packing>(&source))
         return shape::bounds(packing->region);
     auto const box_of = [](Body const& body) {
-        return shape::bounds(shape::BallRegion{body.place, body.radius});
+        return shape::bounds(shape::BallRegion{body.place, body.reach()});
     };
     auto const& bodies = std::get<ParticleTable>(source).bodies;
     auto box = box_of(bodies.front());

@@ -102,10 +102,15 @@ double potential_energy(Sight const& sight)
 
 double penetration(Sight const& sight)
 {
-    double const level = sight.look.progress().groups[*sight.plan.selection.group].level;
-    return of_body([&](dem::StateView const& all, std::size_t k) {
-        return level - (sight.setup.upright.height(all.position(k)) - all.radius(k));
-    })(sight);
+    auto const& selection = sight.plan.selection;
+    double lowest = std::numeric_limits<double>::infinity();
+    Selection const all_of_it{{}, selection.group};
+    for_each(sight.look, sight.look.particles(), all_of_it, [&](dem::StateView const& all, std::size_t k) {
+        lowest = std::min(lowest, sight.setup.upright.height(all.position(k)) - all.radius(k));
+    });
+    double const level = sight.look.progress().groups[*selection.group].level;
+    bool const is_there = count(sight.look, selection) > 0; // its centre, where there is a region
+    return is_there ? level - lowest : not_given;
 }
 
 double centre_of_mass(Sight const& sight)

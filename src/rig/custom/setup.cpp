@@ -47,20 +47,6 @@ void check_hulls(Setup const& setup)
                                 wall.name));
 }
 
-//! \throws InputError where grains would have to leave that cannot
-void check_outlets(Setup const& setup)
-{
-    if (setup.outlets.empty())
-        return;
-    for (auto const& group : setup.groups)
-        if (!group.are_spheres())
-            throw InputError(
-                fmt::format("outlet.{}: spheres alone can leave, and the grains of particles.{} have a shape "
-                            "([shape.NAME]); leave the outlet out, and count what is in its region with "
-                            "quantity = \"mass\"",
-                            setup.outlets.front().name, group.name));
-}
-
 //! Time step for the particles that need the smallest.
 double time_step_of(Setup const& setup, OptionValues const& options)
 {
@@ -162,7 +148,6 @@ Setup::Setup(RunInput const& input)
     groups = read_particles(input, regions);
     stages = read_stages(input.experiment, regions);
     outlets = read_outlets(input.experiment, regions);
-    check_outlets(*this);
     responses = read_responses(input.experiment, regions, groups);
     check_pairs(*this);
     options = simulation_options(input.experiment, time_step_of(*this, input.experiment));

@@ -29,15 +29,21 @@ std::int64_t next_portion(std::int64_t steps, double took)
     return std::max<std::int64_t>(1, std::llround(static_cast<double>(steps) * factor));
 }
 
-//! Number of the grain of each element, by its id: those of a grain follow that of its first element.
-std::vector<std::int64_t> grain_numbers(dem::StateView const& grains, std::size_t elements)
+//! Number of the grain of each element. \param ids of the elements, ascending: those of a grain follow that
+//! of its first one
+std::vector<std::int64_t> grain_numbers(dem::StateView const& grains, std::vector<std::uint32_t> const& ids)
 {
-    std::vector<std::int64_t> numbers(elements, 0);
+    std::vector<std::uint32_t> firsts;
     for (std::size_t k = 0; k < grains.size(); ++k)
-        numbers[grains.id(k).value] = 1;
-    std::int64_t number = -1;
-    for (auto& begins : numbers)
-        begins = number += begins;
+        firsts.push_back(grains.id(k).value);
+    std::sort(firsts.begin(), firsts.end());
+    std::vector<std::int64_t> numbers;
+    std::size_t begun = 0;
+    for (std::uint32_t const id : ids) {
+        if (begun < firsts.size() && firsts[begun] == id)
+            ++begun;
+        numbers.push_back(static_cast<std::int64_t>(begun) - 1);
+    }
     return numbers;
 }
 
@@ -123,7 +129,7 @@ Snapshot take_snapshot(dem::Simulation& simulation, std::string name)
         snapshot.wx[id] = w.x, snapshot.wy[id] = w.y, snapshot.wz[id] = w.z;
     }
     if (simulation.counts().particles < n)
-        snapshot.grain = grain_numbers(simulation.read_grains(dem::Fields::places), n);
+        snapshot.grain = grain_numbers(simulation.read_grains(dem::Fields::places), snapshot.id);
     auto const& walls = simulation.walls();
     for (std::size_t number = 0; number < walls.size(); ++number) {
         if (!walls[number].active)

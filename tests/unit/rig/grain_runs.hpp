@@ -61,6 +61,27 @@ inline rig::RunInput drum_of(grain::ShapeMixture const& mixture)
     return input;
 }
 
+//! One grain of 4 mm of a shape "it" that hits a plane at 1 m/s, elastic and without friction.
+inline rig::RunInput impact_of(grain::GrainShape shape, double youngs_modulus = 1e9)
+{
+    rig::RunInput input;
+    input.model.materials = {{"grain", 2500, youngs_modulus, 0.3}};
+    contact::PairProperties pair{.first = "grain", .second = "grain"};
+    pair.restitution = 1;
+    pair.static_friction = pair.kinetic_friction = 0;
+    input.model.pairs = {pair};
+    input.shapes.emplace("it", std::move(shape));
+    input.experiment = defaults_of(rig::find_rig("impact")->options);
+    for (auto const* key : {"material", "wall_material"})
+        input.experiment.set(key, std::string("grain"));
+    input.experiment.set("shape", std::string("it"));
+    input.experiment.set("diameter_mm", 4.0);
+    input.experiment.set("rayleigh_fraction", 0.05);
+    input.experiment.set("energy_ledger", true);
+    input.seed = 1;
+    return input;
+}
+
 inline rig::RunResult run(std::string const& name, rig::RunInput const& input)
 {
     auto const& rig = *rig::find_rig(name);

@@ -100,4 +100,68 @@ TEST(GrainsInRigs, BulkDensityBeyondThatOfSpheresIsPossible)
     EXPECT_NE(fault_of([&] { drawdown.check(input); }).find("cannot be reached"), std::string::npos);
 }
 
+//! Two spheres that touch, one above the other, with the size of the sphere of the same volume.
+grain::GrainShape pair_along_z()
+{
+    return grain::grain_shape("pair", grain::Clump{{{0, 0, -1}, 1}, {{0, 0, 1}, 1}},
+                              grain::SizeMeasure::equivalent);
+}
+
+TEST(ClumpImpact, APairReboundsAsItsLeverSays)
+{
+    // It leans by an angle from where it is given, upright: its lower sphere is hit at a lever d = a
+    // sin(angle) of its centre, and its moment about y is m (2/5 + 1) a^2, a the radius of its spheres. The
+    // impulse that turns the velocity of what is hit round changes that of the centre by 2 v / (1 + m d^2 /
+    // I).
+    double const angle = 20, a = 2e-3 / std::cbrt(2.0), d = a * std::sin(angle * pi / 180);
+    double const by_turning = d * d / (1.4 * a * a);
+    auto input = impact_of(pair_along_z(), 1e11); // it hardly turns while it touches
+    input.experiment.set("turn_deg", Vector3{0, angle, 0});
+    auto const result = run("impact", input);
+    double const change = 2 / (1 + by_turning);
+    EXPECT_NEAR(response("impact", result, "normal_restitution"), change - 1, 2e-3);
+    EXPECT_NEAR(std::abs(response("impact", result, "rebound_spin_rad_s")), change * d / (1.4 * a * a),
+                2e-3 * change * d / (1.4 * a * a));
+    EXPECT_NEAR(result.series.column("overlap").front(), 0, 1e-12) << "it begins where it touches";
+    // Upright it is hit as a sphere of its mass.
+    input.experiment.set("turn_deg", Vector3{});
+    EXPECT_NEAR(response("impact", run("impact", input), "normal_restitution"), 1, 1e-4);
+    // Lying both of its spheres hit at once.
+    input.experiment.set("turn_deg", Vector3{0, 90, 0});
+    auto const lying = run("impact", input);
+    EXPECT_NEAR(response("impact", lying, "normal_restitution"), 1, 1e-4);
+    EXPECT_NEAR(response("impact", lying, "rebound_spin_rad_s"), 0, 1e-6);
+}
+
+TEST(ClumpImpact, CountsTheContactsThatFollow)
+{
+    // Nearly flat: one end hits, and the other one when it has turned.
+    auto input = impact_of(pair_along_z());
+    input.experiment.set("turn_deg", Vector3{0, 80, 0});
+    auto const result = run("impact", input);
+    auto const& touching = result.series.column("touching");
+    auto const first = std::count(touching.begin(), touching.end(), 1.0);
+    double const time_step = result.simulated_time / static_cast<double>(result.steps);
+    EXPECT_GT(response("impact", result, "contact_time_us"), 1.3e6 * time_step * static_cast<double>(first));
+    ASSERT_TRUE(result.energy);
+    double const before = 0.5 * 2500 * pi / 6 * 64e-9;
+    EXPECT_NEAR(result.energy->kinetic(), before, 1e-3 * before);
+    EXPECT_GT(response("impact", result, "normal_restitution"), 0);
+}
+
+TEST(ClumpImpact, StandsAsTheSeedSaysAndGoesOnWithTheSameBits)
+{
+    auto input = impact_of(pair_along_z());
+    input.experiment.set("orientation", std::string("random"));
+    auto const one = run_and_go_on("impact", input);
+    EXPECT_EQ(one.responses, run("impact", input).responses);
+    input.seed = 2;
+    EXPECT_NE(one.responses, run("impact", input).responses);
+    auto const& impact = *rig::find_rig("impact");
+    input.experiment.set("turn_deg", Vector3{0, 0, 1});
+    EXPECT_NE(fault_of([&] { impact.check(input); }).find("leave one of them out"), std::string::npos);
+    input.experiment.set("shape", std::string("sphere"));
+    EXPECT_NE(fault_of([&] { impact.check(input); }).find("this one is a sphere"), std::string::npos);
+}
+
 } // namespace

@@ -87,4 +87,30 @@ TEST(HullsInRigs, WhatTheyCannotTouchIsRefusedBeforeTheRun)
     EXPECT_NE(fault.find("beyond touch"), std::string::npos) << fault;
 }
 
+TEST(HullImpact, KeepsItsEnergyHoweverItStands)
+{
+    double const before = 0.5 * 2500 * std::numbers::pi / 6 * 64e-9;
+    auto input = impact_of(cube(), 1e8);
+    auto const flat = run("impact", input);
+    EXPECT_NEAR(response("impact", flat, "normal_restitution"), 1, 1e-3);
+    EXPECT_NEAR(response("impact", flat, "rebound_spin_rad_s"), 0, 1e-6);
+    input.experiment.set("orientation", std::string("random"));
+    double slowest = 1;
+    for (std::uint64_t const seed : {1u, 2u, 3u, 4u}) {
+        input.seed = seed;
+        auto const result = run("impact", input);
+        ASSERT_TRUE(result.energy);
+        EXPECT_NEAR(result.energy->kinetic(), before, 1e-3 * before) << seed;
+        slowest = std::min(slowest, response("impact", result, "normal_restitution"));
+    }
+    EXPECT_LT(slowest, 0.9);
+    // On a corner, its diagonal upright: as a sphere. The turn takes (1, 1, 1) to the z axis.
+    input.experiment.set("orientation", std::string("as_given"));
+    double const angle = std::acos(1 / std::sqrt(3.0)) * 180 / std::numbers::pi / std::sqrt(2.0);
+    input.experiment.set("turn_deg", Vector3{angle, -angle, 0});
+    auto const corner = run("impact", input);
+    EXPECT_NEAR(response("impact", corner, "normal_restitution"), 1, 1e-3);
+    EXPECT_LT(std::abs(response("impact", corner, "rebound_spin_rad_s")), 1e-3);
+}
+
 } // namespace

@@ -36,12 +36,14 @@ bool Decomposition::takes(std::uint32_t id, Particles& particles)
     return static_cast<int>(id % static_cast<std::uint32_t>(team_.size())) == team_.rank();
 }
 
-void Decomposition::remove(Particles& particles, ContactLists& contacts,
-                           std::unordered_set<std::uint32_t> const& ids)
+std::vector<std::uint32_t> Decomposition::remove(Particles& particles, ContactLists& contacts,
+                                                 std::unordered_set<std::uint32_t> const& ids)
 {
     remove_ghosts(particles);
-    owned_ = remove_particles(particles, contacts, {owned_, ghost_ids_}, ids);
+    auto renumbered = remove_particles(particles, contacts, {owned_, ghost_ids_}, ids);
+    owned_ = renumbered.owned;
     ghosts_ = {}; // its routes name particles by their numbers
+    return std::move(renumbered.new_number);
 }
 
 //! A particle costs a move and a search, about as much as the force of a contact, which has two particles.

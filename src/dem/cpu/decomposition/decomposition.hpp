@@ -24,8 +24,8 @@ class Decomposition final : public Partition
 
     bool has_ghosts() const override { return true; }
     bool takes(std::uint32_t id, Particles& particles) override;
-    void remove(Particles& particles, ContactLists& contacts,
-                std::unordered_set<std::uint32_t> const& ids) override;
+    std::vector<std::uint32_t> remove(Particles& particles, ContactLists& contacts,
+                                      std::unordered_set<std::uint32_t> const& ids) override;
     void require_rigid_bodies() const override;
     void distribute(Particles& particles, ContactLists& contacts, MeetingReach const& reach) override;
     void renumber(std::span<std::uint32_t const> new_numbers, Particles const& particles) override;

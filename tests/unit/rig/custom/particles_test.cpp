@@ -159,5 +159,128 @@ TEST(CustomParticles, ThatEnterIntoOthersFailTheRun)
     EXPECT_THAT(result.reason, HasSubstr("particles.late"));
 }
 
+//! A shape along its x axis, three spheres that touch, and a cube; sizes are of the sphere of the volume.
+std::string const shapes =
+    "[shape.rod]\nsize = \"volume_equivalent\"\nspheres = [[0, 0, 0, 1], [2, 0, 0, 1], [4, 0, 0, 1]]\n"
+    "[shape.cube]\nsize = \"volume_equivalent\"\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], "
+    "[0, 0, 1], [1, 0, 1], [0, 1, 1], [1, 1, 1]]\n";
+
+//! A grain of 10 mm at (0, 0, 100) mm without weight, and what it measures along the axes.
+std::string seen(std::string const& grain)
+{
+    std::string more = grain + stage("only", "duration_s = 0.001") +
+                       response("mass_kg", "quantity = \"mass\"") +
+                       response("z_m", "quantity = \"centre_of_mass\"");
+    for (std::string const axis : {"x", "y", "z"})
+        more += response("along_" + axis + "_m", "quantity = \"extent\"\naxis = \"" + axis + "\"");
+    return custom_campaign(more, weightless + "series_interval_s = 0.001\n") + shapes;
+}
+//! ... along x, y and z over the radius of its spheres, or the side of the cube.
+std::vector<double> extents_of(std::string const& text, double unit, TestFiles const& files = {})
+{
+    std::vector<double> extents;
+    for (std::string const axis : {"x", "y", "z"})
+        extents.push_back(response_of(text, "along_" + axis + "_m", files) / unit);
+    return extents;
+}
+
+TEST(CustomParticles, AShapeStandsAsItIsGivenAndTurned)
+{
+    using ::testing::DoubleNear;
+    using ::testing::ElementsAre;
+    double const r = 5e-3 / std::cbrt(3.0); // of its three spheres
+    auto const near = [](double value) { return DoubleNear(value, 1e-9); };
+    auto const rod = [](std::string const& more) {
+        return seen(ball("place_mm = [0, 0, 100]\nshape = \"rod\"\n" + more));
+    };
+    EXPECT_THAT(extents_of(rod(""), r), ElementsAre(near(6), near(2), near(2)));
+    EXPECT_THAT(extents_of(rod("turn_deg = [0, 0, 90]"), r), ElementsAre(near(2), near(6), near(2)));
+    EXPECT_THAT(extents_of(rod("turn_deg = [0, 90, 0]"), r), ElementsAre(near(2), near(2), near(6)));
+    EXPECT_NEAR(response_of(rod(""), "mass_kg"), ball_mass, 1e-12 * ball_mass);
+    EXPECT_NEAR(response_of(rod("turn_deg = [0, 90, 0]"), "z_m"), 0.1, 1e-15);
+    auto const cube = [](std::string const& more) {
+        return seen(ball("place_mm = [0, 0, 100]\nshape = \"cube\"\n" + more));
+    };
+    auto const sides = extents_of(cube(""), 5e-3 * std::cbrt(4 * 3.14159265358979 / 3));
+    EXPECT_THAT(sides, ElementsAre(DoubleNear(1, 0.01), near(sides[0]), near(sides[0])));
+    auto const turned = extents_of(cube("turn_deg = [0, 0, 45]"), 5e-3 * std::cbrt(4 * 3.14159265358979 / 3));
+    EXPECT_THAT(turned, ElementsAre(DoubleNear(std::sqrt(2.0), 0.05), near(turned[0]), near(sides[0])));
+}
+
+TEST(CustomParticles, ATableTurnsItsGrains)
+{
+    double const r = 5e-3 / std::cbrt(3.0);
+    auto const text = [](std::string const& more) {
+        return seen("[[experiment.particles]]\nname = \"bed\"\nsource = \"csv\"\nmaterial = \"glass\"\n"
+                    "file = \"bed.csv\"\nshape = \"rod\"\n" +
+                    more + "\n");
+    };
+    std::string const header = "x,y,z,radius,qw,qx,qy,qz\n", half = "0.70710678";
+    auto const upright = header + "0,0,0.1,0.005," + half + ",0," + half + ",0\n";
+    EXPECT_NEAR(extents_of(text(""), r, {{"bed.csv", upright}})[2], 6, 1e-6);
+    EXPECT_NEAR(extents_of(text(""), r, {{"bed.csv", "x,y,z,radius\n0,0,0.1,0.005\n"}})[0], 6, 1e-9);
+    auto const any = text("orientation = \"random\"");
+    TestFiles const plain = {{"bed.csv", "x,y,z,radius\n0,0,0.1,0.005\n"}};
+    auto const extent = [&](int replicate) { return run_custom(any, plain, replicate).responses[2]; };
+    EXPECT_EQ(extent(0), extent(0));
+    EXPECT_NE(extent(0), extent(1));
+    auto const fault = [&](std::string const& campaign, std::string const& csv) {
+        try {
+            read_custom(campaign, {{"bed.csv", csv}});
+        } catch (InputError const& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(fault(text(""), upright), "");
+    EXPECT_THAT(fault(any, upright), HasSubstr("leave one of them out"));
+    EXPECT_THAT(fault(text(""), header + "0,0,0,1,1,1,0,0\n"), HasSubstr("bed.csv:2"));
+    EXPECT_THAT(fault(text(""), header + "0,0,0,1,1,1,0,0\n"), HasSubstr("has a length of 1.414"));
+    EXPECT_THAT(fault(text(""), "x,y,z,radius,qw,qx,qz\n0,0,0,1,1,0,0\n"),
+                HasSubstr("the column qy is missing"));
+    EXPECT_THAT(fault(seen(ball("place_mm = [0, 0, 0]\nshape = \"rot\"")), ""),
+                HasSubstr("there is no [shape.rot]; did you mean \"rod\"?"));
+    EXPECT_THAT(fault(seen(ball("place_mm = [0, 0, 0]\nturn_deg = [0, 0, 9]")), ""),
+                HasSubstr("this one is a sphere"));
+}
+
+TEST(CustomParticles, ShapesMustNotReachIntoEachOther)
+{
+    // Spheres that hold them overlap; they themselves do where they are said to.
+    auto const two = [](std::string const& shape, std::string const& turn, double apart) {
+        auto const text = seen(
+            ball("place_mm = [0, 0, 100]\nshape = \"" + shape + "\"\n" + turn) +
+            ball("place_mm = [0, " + std::to_string(apart) + ", 100]\nshape = \"" + shape + "\"\n" + turn,
+                 "other"));
+        try {
+            read_custom(text);
+        } catch (InputError const& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    double const r = 5 / std::cbrt(3.0), side = 5 * std::cbrt(4 * 3.14159265358979 / 3); // [mm]
+    EXPECT_EQ(two("rod", "", 2.01 * r), "");
+    EXPECT_THAT(two("rod", "", 1.8 * r), HasSubstr("two particles overlap by"));
+    EXPECT_THAT(two("rod", "turn_deg = [0, 0, 90]", 5.8 * r), HasSubstr("two particles overlap by"));
+    EXPECT_EQ(two("cube", "", 1.01 * side), "");
+    EXPECT_THAT(two("cube", "", 0.9 * side), HasSubstr("two particles overlap by"));
+    EXPECT_EQ(two("cube", "turn_deg = [0, 0, 45]", 1.42 * side), "");
+    EXPECT_THAT(two("cube", "turn_deg = [0, 0, 45]", 1.2 * side), HasSubstr("two particles overlap by"));
+}
+
+TEST(CustomParticles, AShapeEntersAtTheClearanceOfItsLowestPoint)
+{
+    auto const text = custom_campaign(
+        floor_at_zero + ball("place_mm = [0, 0, 5]") +
+            ball("place_mm = [0, 0, 0]\nshape = \"rod\"\nturn_deg = [0, 90, 0]\nclearance_mm = 2\nstage = "
+                 "\"second\"",
+                 "probe") +
+            stage("first", "duration_s = 0.001") + stage("second", "duration_s = 0.001") +
+            response("depth_m", "quantity = \"penetration\"\nof = \"probe\"\ntake = \"max\""),
+        weightless + "series_interval_s = 0.001\n");
+    EXPECT_NEAR(response_of(text + shapes, "depth_m"), -2e-3, 1e-9);
+}
+
 } // namespace
 } // namespace demens::test
