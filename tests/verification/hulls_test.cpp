@@ -90,6 +90,107 @@ TEST(Hulls, CubeAtRestPressesWithItsWeightAndLiesAsDeepAsHertzSays)
     EXPECT_NEAR(half - grains_of(simulation).position(0).z, overlap, 1e-4 * overlap);
 }
 
+//! A floor in four rectangles that meet at a place, and as one.
+void add_floor(dem::Simulation& simulation, bool in_parts, Vector3 const& meet, Vector3 const& velocity = {})
+{
+    auto const add = [&](Vector3 const& centre, double half_x, double half_y) {
+        dem::WallId const wall =
+            simulation.add(dem::Wall{.shape = dem::Rectangle{centre, {1, 0, 0}, {0, 1, 0}, half_x, half_y}});
+        simulation.move(wall, dem::WallVelocity{.velocity = velocity});
+    };
+    double const half = 0.5;
+    if (!in_parts)
+        return add({}, 1, 1);
+    for (double const x : {-half, half})
+        for (double const y : {-half, half})
+            add(meet + Vector3{x, y, 0}, half, half);
+}
+
+TEST(Hulls, CubeOnTheSeamsOfAFloorLiesAsOnOneFloor)
+{
+    // Four rectangles meet under it: in its middle, under an edge, under a corner, at no place in particular.
+    auto const cube = box(1, 1, 1);
+    double const half = half_sides(*cube).z, overlap = hertz_overlap(mass * g / 4);
+    Vector3 const corner = corner_of(*cube);
+    for (Vector3 const meet : {Vector3{}, Vector3{corner.x, 0, 0}, Vector3{corner.x, corner.y, 0},
+                               Vector3{0.3 * corner.x, -0.6 * corner.y, 0}}) {
+        dem::Simulation simulation(model(0.3, 0.4), {.time_step = 4e-6, .skin = 1e-3});
+        simulation.add(body_of(cube, {0, 0, half}));
+        add_floor(simulation, true, meet);
+        simulation.advance(50000);
+        double force = 0;
+        for (auto const& load : simulation.read_wall_loads())
+            force += load.force.z;
+        EXPECT_NEAR(force, -mass * g, 1e-6 * mass * g) << meet.x << " " << meet.y;
+        EXPECT_NEAR(half - grains_of(simulation).position(0).z, overlap, 1e-4 * overlap)
+            << meet.x << " " << meet.y;
+        EXPECT_LT(norm(grains_of(simulation).spin(0)), 1e-6);
+    }
+}
+
+TEST(Hulls, SlideOverASeamAsOverOneFloor)
+{
+    // Hulls that tumble, slide and come to rest: the floor's parts change no more than rounding does.
+    auto const slide = [](bool in_parts, std::shared_ptr<grain::BodyShape const> const& shape,
+                          double height) {
+        dem::SimulationOptions options{.time_step = 4e-6, .skin = 1e-3};
+        options.energy_ledger = true;
+        dem::Simulation simulation(model(0.3, 0.4), options);
+        simulation.add(body_of(shape, {-1.5 * radius, 0.1 * radius, height}, {0.3, 0.02, 0}, {}, {}));
+        add_floor(simulation, in_parts, {});
+        simulation.advance(30000);
+        EXPECT_LT(std::abs(simulation.energy().closure_error()), 5e-3);
+        return grains_of(simulation).position(0);
+    };
+    auto const flat = box(2, 2, 1);
+    double const height = half_sides(*flat).z;
+    Vector3 const one = slide(false, flat, height), parts = slide(true, flat, height);
+    EXPECT_GT(one.x, 0.2 * radius) << "it has gone over the seam";
+    EXPECT_LT(norm(one - parts), 1e-3 * radius);
+}
+
+TEST(Hulls, HullTurnsFreelyAsAnAsymmetricTop)
+{
+    // Spun about its middle axis, a little beside it, it turns over and over: the period of that is one of an
+    // elliptic integral (Landau & Lifshitz, Mechanics, 37). Over a hundred turns energy and momentum stay.
+    auto const top = box(2, 1.4, 1);
+    Vector3 const i = mass * radius * radius * top->inertia, spin{1.5, 60, -2};
+    Quaternion const stands = quaternion_about({0.3, -0.2, 0.5});
+    double const dt = 5e-6, turn = 2 * pi / 60;
+    dem::Simulation simulation(model(0.5, 0.4), {.time_step = dt, .gravity = {}, .skin = 1e-3});
+    simulation.add(body_of(top, {}, {}, stands(spin), stands));
+    Vector3 const own{i.x * spin.x, i.y * spin.y, i.z * spin.z}, momentum = stands(own);
+    double const energy = 0.5 * dot(own, spin), squared = norm_squared(own);
+    ASSERT_TRUE(i.x < i.y && i.y < i.z);
+    // Above the separatrix the axis z keeps its sense, below it the axis x; see which one this is.
+    bool const about_z = squared > 2 * energy * i.y;
+    double const a = about_z ? i.x : i.z, c = about_z ? i.z : i.x;
+    double const rate = (c - i.y) * (squared - 2 * energy * a) / (a * i.y * c);
+    double const k =
+        std::sqrt((i.y - a) * (2 * energy * c - squared) / ((c - i.y) * (squared - 2 * energy * a)));
+    double const period = 4 * std::comp_ellint_1(k) / std::sqrt(rate);
+    std::vector<double> flips; // where the spin about the middle axis changes its sign
+    double before = spin.y;
+    int const every = 20;
+    for (int n = 1; n * every * dt < 100 * turn; ++n) {
+        simulation.advance(every);
+        auto const hull = simulation.read_hulls().front();
+        auto const grains = grains_of(simulation);
+        Vector3 const w = hull.orientation.inverse(grains.spin(0));
+        Vector3 const now{i.x * w.x, i.y * w.y, i.z * w.z};
+        if (before * w.y < 0)
+            flips.push_back((n - 1 + before / (before - w.y)) * every * dt);
+        before = w.y;
+        if (n % 100 == 0) {
+            EXPECT_NEAR(0.5 * dot(now, w), energy, 1e-6 * energy);
+            EXPECT_LT(norm(hull.orientation(now) - momentum), 1e-6 * norm(momentum));
+        }
+    }
+    ASSERT_GT(flips.size(), 10u);
+    double const mean = (flips.back() - flips.front()) / static_cast<double>(flips.size() - 1);
+    EXPECT_NEAR(mean, 0.5 * period, 1e-4 * period);
+}
+
 TEST(Hulls, CubeThatFallsOnItsEdgeComesToLieOnAFace)
 {
     auto const cube = box(1, 1, 1);

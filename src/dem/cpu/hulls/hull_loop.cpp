@@ -136,20 +136,9 @@ DEMENS_MULTIVERSION void find_hull_contacts(grain::CorePair const& cores, double
 
 } // namespace
 
-//! What does not differ between the contacts of a pair.
-struct HullLoop::PairPlace
-{
-    Vector3 first, second;          //!< centres of the bodies [m]
-    double ball_first, ball_second; //!< radii of the balls that stand for them [m]
-    bool with_wall;
-
-    double touching() const { return with_wall ? ball_first : ball_first + ball_second; }
-};
-
 namespace {
 
-template <class PairPlace>
-HullContact contact_at(grain::FeatureContact const& at, std::uint32_t pair, PairPlace const& place)
+HullContact contact_at(grain::FeatureContact const& at, std::uint32_t pair, HullPairPlace const& place)
 {
     Vector3 const& n = at.normal;
     double const touching = place.touching(), half = 0.5 * at.overlap;
@@ -163,8 +152,7 @@ HullContact contact_at(grain::FeatureContact const& at, std::uint32_t pair, Pair
 }
 
 //! A contact that has parted: its balls touch without an overlap.
-template <class PairPlace>
-HullContact at_touch(HullContact contact, PairPlace const& place)
+HullContact at_touch(HullContact contact, HullPairPlace const& place)
 {
     contact.apart *= place.touching() / norm(contact.apart);
     return contact;
@@ -180,48 +168,86 @@ void HullLoop::find_contacts(Params const& params, State& state, HullContactList
         all->interaction = list.interaction;
         all->with_walls = list.with_walls, all->state_size = list.state_size;
     }
-    auto const size = static_cast<std::size_t>(list.state_size);
     list.apart_until.resize(list.pairs.size(), 0.0);
     list.hints.resize(list.pairs.size());
-    std::size_t from = 0;
-    for (std::uint32_t p = 0; p < list.pairs.size(); ++p) {
+    std::size_t old = 0;
+    for (std::uint32_t p = 0, end = 0; p < list.pairs.size(); p = end) {
         HullPair const& pair = list.pairs[p];
-        if (!list.with_walls &&
-            parties_.travelled(pair.first) + parties_.travelled(pair.second) < list.apart_until[p])
+        end = p + 1;
+        if (list.with_walls) // all that one hull touches together: they may go on into each other
+            while (end < list.pairs.size() && list.pairs[end].first == pair.first)
+                ++end;
+        else if (parties_.travelled(pair.first) + parties_.travelled(pair.second) < list.apart_until[p])
             continue; // without contacts
-        std::size_t to = from;
-        while (to < list.contacts.size() && list.contacts[to].pair == p)
-            ++to;
-        PairPlace const place = find_places(params, state, list, p);
-        for (int k = 0; k < set_.count; ++k) {
-            grain::FeatureContact const& at = set_.contacts[k];
-            now_.contacts.push_back(contact_at(at, p, place));
-            std::size_t old = from;
-            while (old < to && list.contacts[old].feature != at.feature)
-                ++old;
-            if (old < to) {
-                now_.state.insert(now_.state.end(), list.history(old), list.history(old) + size);
-                list.contacts[old].feature = gone_on;
-            } else {
-                now_.state.resize(now_.state.size() + size, 0.0);
-            }
-        }
-        for (; from < to; ++from)
-            if (list.contacts[from].feature != gone_on) {
-                parted_.contacts.push_back(at_touch(list.contacts[from], place));
-                parted_.state.insert(parted_.state.end(), list.history(from), list.history(from) + size);
-            }
+        std::size_t const first_new = now_.contacts.size(), first_old = old;
+        find_contacts(params, state, list, {p, end});
+        while (old < list.contacts.size() && list.contacts[old].pair < end)
+            ++old;
+        take_histories(list, {first_old, old}, first_new, p);
     }
 }
 
-HullLoop::PairPlace HullLoop::find_places(Params const& params, State& state, HullContactList& list,
-                                          std::uint32_t number)
+void HullLoop::find_contacts(Params const& params, State& state, HullContactList& list, Range const& pairs)
+{
+    auto const size = static_cast<std::size_t>(list.state_size);
+    bool const may_join = list.with_walls && pairs.end - pairs.first > 1;
+    if (may_join) {
+        seams_.begin(parties_.hull(state.particles, list.pairs[pairs.first].first).rounding);
+        for (std::size_t p = pairs.first; p < pairs.end; ++p)
+            seams_.add(state.walls.all()[list.pairs[p].second].shape);
+    }
+    places_.clear();
+    for (auto p = static_cast<std::uint32_t>(pairs.first); p < pairs.end; ++p) {
+        places_.push_back(find_places(params, state, list, p));
+        for (int k = 0; k < set_.count; ++k) {
+            if (may_join && seams_.is_of_another(p - pairs.first, set_.contacts[k]))
+                continue;
+            now_.contacts.push_back(contact_at(set_.contacts[k], p, places_.back()));
+            now_.state.resize(now_.state.size() + size, 0.0);
+        }
+    }
+}
+
+//! What is left of the old ones has parted. \param first_new of `now_` \param first_pair to which `places_`
+//! belong
+void HullLoop::take_histories(HullContactList& list, Range const& old, std::size_t first_new,
+                              std::uint32_t first_pair)
+{
+    auto const size = static_cast<std::size_t>(list.state_size);
+    auto const take = [&](std::size_t to, auto const& suits) {
+        for (std::size_t from = old.first; from < old.end; ++from)
+            if (list.contacts[from].feature == now_.contacts[to].feature &&
+                suits(list.contacts[from].pair, now_.contacts[to].pair)) {
+                std::copy_n(list.history(from), size, now_.history(to));
+                list.contacts[from].feature = gone_on;
+                return true;
+            }
+        return false;
+    };
+    without_history_.clear();
+    for (std::size_t to = first_new; to < now_.contacts.size(); ++to)
+        if (!take(to, [](std::uint32_t a, std::uint32_t b) { return a == b; }))
+            without_history_.push_back(to);
+    if (places_.size() > 1) // from one wall to the next of the same plane
+        for (std::size_t const to : without_history_)
+            take(to, [&](std::uint32_t a, std::uint32_t b) {
+                return seams_.are_of_one_plane(a - first_pair, b - first_pair);
+            });
+    for (std::size_t from = old.first; from < old.end; ++from)
+        if (HullContact const& contact = list.contacts[from]; contact.feature != gone_on) {
+            parted_.contacts.push_back(at_touch(contact, places_[contact.pair - first_pair]));
+            parted_.state.insert(parted_.state.end(), list.history(from), list.history(from) + size);
+        }
+}
+
+HullPairPlace HullLoop::find_places(Params const& params, State& state, HullContactList& list,
+                                    std::uint32_t number)
 {
     set_.count = 0;
     HullPair& pair = list.pairs[number];
     Place const& a = state.particles.place[pair.first];
     HullParty const& first = parties_.hull(state.particles, pair.first);
-    PairPlace place{first.pose.place, {}, first.ball, 0, list.with_walls};
+    HullPairPlace place{first.pose.place, {}, first.ball, 0, list.with_walls};
     if (list.with_walls) {
         walls_.find(first, a.radius, state.walls.all()[pair.second].shape, pair.second, pair.memory, set_);
         return place;
