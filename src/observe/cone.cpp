@@ -66,12 +66,20 @@ ConeFit fit_cone(SurfaceMap const& map, int sectors, double toe, double tip)
     double const height = profile.height();
     double const outer = profile.radius_at(toe * height), top = profile.radius_at((1 - tip) * height);
     double const inner = outer - top < 3 * map.width ? 0 : top;
+    // A line wants some columns: a small heap has fewer sectors.
+    constexpr long per_sector = 6;
+    auto const is_fitted = [&](SurfaceMap::Column const& column) {
+        double const distance = middle_of(map, column).r;
+        return distance >= inner && distance <= outer;
+    };
+    long const fitted = std::count_if(map.columns.begin(), map.columns.end(), is_fitted);
+    sectors = static_cast<int>(std::min<long>(sectors, std::max(3L, fitted / per_sector)));
     std::vector<std::vector<double>> r(static_cast<std::size_t>(sectors)), z(r.size());
     for (auto const& column : map.columns) {
         auto const [distance, azimuth] = middle_of(map, column);
         auto const sector =
             std::min(r.size() - 1, static_cast<std::size_t>(azimuth / (2 * std::numbers::pi) * sectors));
-        if (distance >= inner && distance <= outer) {
+        if (is_fitted(column)) {
             r[sector].push_back(distance);
             z[sector].push_back(column.top);
         }

@@ -30,7 +30,8 @@ struct ConeFit
 };
 //! Lines through the heights of columns over their distance from the axis, one a sector, between the
 //! distances at which the mean profile is `toe` and 1 - `tip` of its height. Of what is as flat as a layer of
-//! grains, less than three columns between these, all of it is slope.
+//! grains, less than three columns between these, all of it is slope. \param sectors as many, or as there are
+//! six columns for each, but three
 ConeFit fit_cone(SurfaceMap const& map, int sectors, double toe, double tip);
 
 } // namespace demens::observe

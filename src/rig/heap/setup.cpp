@@ -76,7 +76,9 @@ OptionSpecs options()
           number("toe_share", 0.2, "of the heap's height, left out at its foot when its slope is fitted [-]",
                  0.0, 0.7),
           number("tip_share", 0.2, "... at its top [-]", 0.0, 0.7),
-          integer("azimuths", 12, "sectors around the axis in which the slope is fitted", 3, 360),
+          integer("azimuths", 12,
+                  "sectors around the axis in which the slope is fitted; fewer for a heap of few grains", 3,
+                  360),
           number("longest_s", 20, "a heap that takes longer to come to rest is a failed run [s]", 1e-3),
           number("series_interval_s", 0.02, "time between two entries of the curves [s]", 1e-5, 10.0)},
          run_options()});

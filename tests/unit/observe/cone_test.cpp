@@ -43,6 +43,15 @@ TEST(Cone, ASlopeThatDiffersAroundTheAxisShowsInTheScatter)
     EXPECT_GT(fit.angle_sd_deg, 3);
 }
 
+TEST(Cone, ASmallHeapHasFewerSectors)
+{
+    // Some 40 columns: of twelve sectors most would have fewer than three to fit a line through.
+    auto const fit = fit_cone(cone(30, 2.1e-3, 2.1e-3, 0), 12, 0.2, 0.2);
+    EXPECT_GE(fit.sectors, 3);
+    EXPECT_LE(fit.sectors, 8);
+    EXPECT_NEAR(fit.angle_deg, 30, 2);
+}
+
 TEST(Cone, NothingIsNoCone)
 {
     EXPECT_EQ(fit_cone({1e-3, {}}, 12, 0.2, 0.2).sectors, 0);
