@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <string>
 
 namespace demens::report {
 
@@ -72,14 +74,41 @@ struct Frame
     }
 };
 
-//! Numbers of the particles to draw, from the back to the front.
-std::vector<std::size_t> drawing_order(rig::Snapshot const& snapshot, std::vector<double> const& depth)
+//! What is drawn as one: a sphere, or a polyhedron with its corners.
+struct Drawn
 {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < depth.size(); ++i)
-        if (std::isfinite(snapshot.x[i]) && std::isfinite(snapshot.y[i]) && std::isfinite(snapshot.z[i]))
-            order.push_back(i);
-    std::ranges::stable_sort(order, [&](auto a, auto b) { return depth[a] > depth[b]; });
+    std::size_t particle;                  //!< itself, or the first of the corners
+    std::vector<std::size_t> corners = {}; //!< empty: a sphere
+
+    //! Of the sphere's centre, or the middle of the corners.
+    double at(std::vector<double> const& column) const
+    {
+        double sum = 0;
+        for (std::size_t const corner : corners)
+            sum += column[corner];
+        return corners.empty() ? column[particle] : sum / static_cast<double>(corners.size());
+    }
+};
+
+//! What to draw, from the back to the front.
+std::vector<Drawn> drawing_order(rig::Snapshot const& snapshot, std::vector<double> const& depth)
+{
+    std::vector<Drawn> order;
+    std::map<std::uint32_t, std::size_t> place; // of polyhedra
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (!std::isfinite(snapshot.x[i]) || !std::isfinite(snapshot.y[i]) || !std::isfinite(snapshot.z[i]))
+            continue;
+        std::uint32_t const hull = snapshot.hull.empty() ? rig::Snapshot::no_hull : snapshot.hull[i];
+        if (hull == rig::Snapshot::no_hull)
+            order.push_back({i});
+        if (hull == rig::Snapshot::no_hull || hull == rig::Snapshot::within_a_hull)
+            continue;
+        auto const [found, is_new] = place.try_emplace(hull, order.size());
+        if (is_new)
+            order.push_back({i});
+        order[found->second].corners.push_back(i);
+    }
+    std::ranges::stable_sort(order, [&](auto const& a, auto const& b) { return a.at(depth) > b.at(depth); });
     return order;
 }
 
@@ -115,17 +144,23 @@ json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame
     order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(hidden));
 
     json h = json::array(), v = json::array(), r = json::array(), d = json::array(), layer = json::array(),
-         inwards = json::array();
+         inwards = json::array(), corners = json::object();
     auto const layers = layers_of(first, snapshot);
-    for (auto i : order) {
-        h.push_back(quanta(across[i] - horizontal.lower));
-        v.push_back(quanta(snapshot.z[i] - vertical.lower));
-        r.push_back(quanta(snapshot.radius[i]));
-        d.push_back(into.width() > 0 ? std::lround(100 * (depth[i] - into.lower) / into.width()) : 0);
+    for (auto const& drawn : order) {
+        for (std::size_t const corner : drawn.corners)
+            for (long const value :
+                 {quanta(across[corner] - horizontal.lower), quanta(snapshot.z[corner] - vertical.lower),
+                  quanta(depth[corner] - into.lower)})
+                corners[std::to_string(h.size())].push_back(value);
+        double const from_front = drawn.at(depth) - into.lower;
+        h.push_back(quanta(drawn.at(across) - horizontal.lower));
+        v.push_back(quanta(drawn.at(snapshot.z) - vertical.lower));
+        r.push_back(quanta(snapshot.radius[drawn.particle]));
+        d.push_back(into.width() > 0 ? std::lround(100 * from_front / into.width()) : 0);
         if (turns == Turning::yes)
-            inwards.push_back(quanta(depth[i] - into.lower));
+            inwards.push_back(quanta(from_front));
         if (!layers.empty())
-            layer.push_back(layers[i]);
+            layer.push_back(layers[drawn.particle]);
     }
 
     json walls = json::array();
@@ -147,7 +182,14 @@ json picture_of(rig::Snapshot const& snapshot, rig::Snapshot const& first, Frame
             {"size", {quanta(horizontal.width()), quanta(vertical.width())}},
             {"quantum", quantum},
             {"hidden", hidden},
-            {"particles", {{"h", h}, {"v", v}, {"r", r}, {"depth", d}, {"layer", layer}, {"into", inwards}}},
+            {"particles",
+             {{"h", h},
+              {"v", v},
+              {"r", r},
+              {"depth", d},
+              {"layer", layer},
+              {"into", inwards},
+              {"corners", corners}}}, // of polyhedra, by their numbers: h, v, into of each
             {"walls", walls},
             {"lines", lines}};
 }

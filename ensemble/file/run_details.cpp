@@ -166,10 +166,11 @@ void write_details(RowWriter& writer, int wave, std::vector<RunRecord> const& ru
         write_curves(writer, wave, runs, details, static_cast<int>(e), input.experiments[e].name);
 
     std::vector<float> particles, walls, lines;
-    std::vector<int> run;
+    std::vector<int> run, hulls;
     std::vector<std::string> name;
     std::vector<double> time;
-    std::vector<std::int64_t> first_particle, particle_count, first_wall, wall_count, first_line, line_count;
+    std::vector<std::int64_t> first_particle, particle_count, first_wall, wall_count, first_line, line_count,
+        first_hull, hull_count;
     for (std::size_t i = 0; i < runs.size(); ++i)
         for (auto const& snapshot : details[i].snapshots) {
             run.push_back(runs[i].run);
@@ -181,6 +182,10 @@ void write_details(RowWriter& writer, int wave, std::vector<RunRecord> const& ru
             wall_count.push_back(static_cast<std::int64_t>(snapshot.walls.size()));
             first_line.push_back(static_cast<std::int64_t>(lines.size() / 6));
             line_count.push_back(static_cast<std::int64_t>(snapshot.wall_lines.size()));
+            first_hull.push_back(static_cast<std::int64_t>(hulls.size()));
+            hull_count.push_back(static_cast<std::int64_t>(snapshot.hull.size()));
+            for (std::uint32_t const part : snapshot.hull)
+                hulls.push_back(part == rig::Snapshot::within_a_hull ? -1 : static_cast<int>(part));
             for (std::size_t p = 0; p < snapshot.x.size(); ++p)
                 for (double const value :
                      {snapshot.x[p], snapshot.y.at(p), snapshot.z.at(p), snapshot.radius.at(p)})
@@ -193,7 +198,9 @@ void write_details(RowWriter& writer, int wave, std::vector<RunRecord> const& ru
     auto const first_of_rank = static_cast<std::int64_t>(writer.first_row(particles.size() / 4));
     auto const wall_of_rank = static_cast<std::int64_t>(writer.first_row(walls.size() / 6));
     auto const line_of_rank = static_cast<std::int64_t>(writer.first_row(lines.size() / 6));
+    auto const hull_of_rank = static_cast<std::int64_t>(writer.first_row(hulls.size()));
     for (std::size_t s = 0; s < run.size(); ++s) {
+        first_hull[s] += hull_of_rank;
         first_particle[s] += first_of_rank;
         first_wall[s] += wall_of_rank;
         first_line[s] += line_of_rank;
@@ -204,6 +211,10 @@ void write_details(RowWriter& writer, int wave, std::vector<RunRecord> const& ru
     writer.write(base + "walls", walls, {{"m"}, {"x0", "y0", "z0", "x1", "y1", "z1"}, "wall outlines"}, 6);
     writer.write(base + "lines", lines,
                  {{"m"}, {"x0", "y0", "z0", "x1", "y1", "z1"}, "rims and creases of walls"}, 6);
+    writer.write(base + "hull", hulls,
+                 hdf5::dimensionless(
+                     "particles of snapshots with polyhedra: 0 none of one; n, above 0, a corner of the "
+                     "n-th; -1 one that fills one"));
     writer.write(base + "run", run, hdf5::dimensionless("run, one entry per snapshot"));
     writer.write_texts(base + "name", name, "landmark, one entry per snapshot");
     writer.write(base + "time", time, {{"s"}, {}, "simulated time, one entry per snapshot"});
@@ -213,6 +224,9 @@ void write_details(RowWriter& writer, int wave, std::vector<RunRecord> const& ru
     writer.write(base + "wall_count", wall_count, hdf5::dimensionless("number of rows in walls"));
     writer.write(base + "first_line", first_line, hdf5::dimensionless("first row in lines"));
     writer.write(base + "line_count", line_count, hdf5::dimensionless("number of rows in lines"));
+    writer.write(base + "first_hull", first_hull, hdf5::dimensionless("first row in hull"));
+    writer.write(base + "hull_count", hull_count,
+                 hdf5::dimensionless("number of rows in hull: 0, or one for each particle"));
 }
 
 RunDetails read_details(hid_t file, int wave, std::size_t row, std::string const& experiment)
@@ -253,6 +267,17 @@ RunDetails read_details(hid_t file, int wave, std::size_t row, std::string const
         snapshot.walls = sixes(walls);
         if (hdf5::exists(file, base + "lines")) // files of earlier programs have none
             snapshot.wall_lines = sixes(rows_of("lines", "line", s, 6));
+        if (hdf5::exists(file, base + "hull")) {
+            auto const count = row_number(file, base + "hull_count", s);
+            auto const rows =
+                hdf5::read_rows<int>(file, base + "hull", row_number(file, base + "first_hull", s), count);
+            hdf5::require_shape(base + "hull", rows.shape, {count});
+            for (int const part : rows.data)
+                snapshot.hull.push_back(part < 0 ? rig::Snapshot::within_a_hull
+                                                 : static_cast<std::uint32_t>(part));
+            if (!snapshot.hull.empty())
+                hdf5::require_shape(base + "hull", {snapshot.hull.size()}, {snapshot.x.size()});
+        }
         details.snapshots.push_back(std::move(snapshot));
     }
     return details;

@@ -13,6 +13,56 @@ const shades = {
     }},
 };
 
+// The convex outline of points, counter-clockwise (Andrew 1979).
+function outline_of(points) {
+    const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]), hull = [];
+    for (const pass of [sorted, [...sorted].reverse()]) {
+        const first = hull.length;
+        for (const p of pass) {
+            while (hull.length >= first + 2) {
+                const [a, b] = hull.slice(-2);
+                if ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0) break;
+                hull.pop();
+            }
+            hull.push(p);
+        }
+        hull.pop();
+    }
+    return hull;
+}
+
+// A grain: a circle, or the outline of a polyhedron's corners [pixels], rounded by the radius.
+function draw_grain(context, h, v, radius, corners, colour) {
+    const edge = 'rgba(60, 42, 20, 0.55)', width = 0.8;
+    context.beginPath();
+    if (!corners) {
+        context.lineWidth = width;
+        context.strokeStyle = edge;
+        context.arc(h, v, Math.max(radius, 0.7), 0, 2 * Math.PI);
+    } else {
+        for (const [x, y] of outline_of(corners)) context.lineTo(x, y);
+        context.closePath();
+        context.lineJoin = 'round';
+        context.strokeStyle = '#9d8864';
+        context.lineWidth = 2 * (radius + width);
+        context.stroke();
+        context.strokeStyle = colour;
+        context.lineWidth = Math.max(2 * radius, 0.1);
+    }
+    context.fillStyle = colour;
+    context.fill();
+    context.stroke();
+}
+
+// Corners of a polyhedron as `place(h, v, into)` puts them; null: the grain is a sphere.
+function corners_of(particles, i, place) {
+    const flat = particles.corners && particles.corners[i];
+    if (!flat) return null;
+    const points = [];
+    for (let k = 0; k < flat.length; k += 3) points.push(place(flat[k], flat[k + 1], flat[k + 2]));
+    return points;
+}
+
 function draw_picture(canvas, picture, shade) {
     const pixels = 1100, margin = 8;
     const scale = (pixels - 2 * margin) / Math.max(picture.size[0], picture.size[1] * 0.75, 1);
@@ -25,15 +75,9 @@ function draw_picture(canvas, picture, shade) {
     context.fillRect(0, 0, canvas.width, canvas.height);
 
     const particles = picture.particles, colour = shade.of(particles);
-    context.lineWidth = 0.8;
-    context.strokeStyle = 'rgba(60, 42, 20, 0.55)';
-    for (let i = 0; i < particles.h.length; ++i) {
-        context.beginPath();
-        context.arc(h(particles.h[i]), v(particles.v[i]), Math.max(particles.r[i] * scale, 0.7), 0, 2 * Math.PI);
-        context.fillStyle = colour(i);
-        context.fill();
-        context.stroke();
-    }
+    for (let i = 0; i < particles.h.length; ++i)
+        draw_grain(context, h(particles.h[i]), v(particles.v[i]), particles.r[i] * scale,
+                   corners_of(particles, i, (right, up) => [h(right), v(up)]), colour(i));
     context.strokeStyle = '#3c4754';
     context.lineWidth = 3;
     const edges = picture.walls.filter(([h0, v0, h1, v1]) => h0 === h1 || v0 === v1); // the others are panes in front
@@ -50,7 +94,8 @@ function draw_picture(canvas, picture, shade) {
 function draw_turned(canvas, picture, angle) {
     const {h, v, r, into} = picture.particles;
     const middle = picture.size[0] / 2, behind = range_of(into), inwards = (behind[0] + behind[1]) / 2;
-    const reach = Math.max(...h.map((at, i) => Math.hypot(at - middle, into[i] - inwards) + r[i])) || 1;
+    const from_axis = (right, up, inner) => Math.hypot(right - middle, inner - inwards);
+    const reach = Math.max(...h.map((at, i) => Math.max(from_axis(at, 0, into[i]), ...(corners_of(picture.particles, i, from_axis) || [])) + r[i])) || 1;
     const pixels = 900, scale = (pixels - 16) / Math.max(2 * reach, picture.size[1]);
     canvas.width = pixels;
     canvas.height = Math.ceil(picture.size[1] * scale + 16);
@@ -59,16 +104,11 @@ function draw_turned(canvas, picture, angle) {
     context.fillRect(0, 0, canvas.width, canvas.height);
     const depth = h.map((at, i) => (into[i] - inwards) * cos - (at - middle) * sin);
     const order = [...depth.keys()].sort((a, b) => depth[b] - depth[a]);
-    context.lineWidth = 0.8;
-    context.strokeStyle = 'rgba(60, 42, 20, 0.55)';
+    const place = (right, up, inner) => [pixels / 2 + ((right - middle) * cos + (inner - inwards) * sin) * scale, canvas.height - 8 - up * scale];
     for (const i of order) {
-        const t = (depth[i] + reach) / (2 * reach);
-        context.beginPath();
-        context.arc(pixels / 2 + ((h[i] - middle) * cos + (into[i] - inwards) * sin) * scale, canvas.height - 8 - v[i] * scale,
-                    Math.max(r[i] * scale, 0.7), 0, 2 * Math.PI);
-        context.fillStyle = `rgb(${Math.round(226 - 104 * t)},${Math.round(197 - 96 * t)},${Math.round(150 - 74 * t)})`;
-        context.fill();
-        context.stroke();
+        const t = (depth[i] + reach) / (2 * reach), [x, y] = place(h[i], v[i], into[i]);
+        draw_grain(context, x, y, r[i] * scale, corners_of(picture.particles, i, place),
+                   `rgb(${Math.round(226 - 104 * t)},${Math.round(197 - 96 * t)},${Math.round(150 - 74 * t)})`);
     }
     canvas.dataset.marks = order.length;
 }

@@ -38,7 +38,17 @@ std::pair<int, int> EndView::Axis::between(double from, double to) const
     return {std::max(0, first), std::min(pixels, end)};
 }
 
-void EndView::draw(std::span<dem::Place const> places)
+void EndView::cover(int row, double from, double to)
+{
+    auto [first, end] = across_.between(from, to);
+    auto const [drum_first, drum_end] = drum_columns_[static_cast<std::size_t>(row)];
+    first = std::max(first, drum_first), end = std::min(end, drum_end);
+    if (first < end)
+        std::fill_n(image_.begin() + static_cast<std::ptrdiff_t>(index(first, row)), end - first,
+                    std::uint8_t{1});
+}
+
+void EndView::draw(std::span<dem::Place const> places, std::span<HullOutline const> hulls)
 {
     std::fill(image_.begin(), image_.end(), std::uint8_t{0});
     for (dem::Place const& p : places) {
@@ -46,13 +56,16 @@ void EndView::draw(std::span<dem::Place const> places)
         auto const [first_row, end_row] = upwards_.between(p.z - p.radius, p.z + p.radius);
         for (int row = first_row; row < end_row; ++row) {
             double const dz = z(row) - p.z, half = std::sqrt(std::max(0.0, p.radius * p.radius - dz * dz));
-            auto [first, end] = across_.between(at - half, at + half);
-            auto const [drum_first, drum_end] = drum_columns_[static_cast<std::size_t>(row)];
-            first = std::max(first, drum_first), end = std::min(end, drum_end);
-            if (first < end)
-                std::fill_n(image_.begin() + static_cast<std::ptrdiff_t>(index(first, row)), end - first,
-                            std::uint8_t{1});
+            cover(row, at - half, at + half);
         }
+    }
+    for (HullOutline const& hull : hulls) {
+        auto const [bottom, top] = hull.upwards();
+        auto const [first_row, end_row] = upwards_.between(bottom, top);
+        for (int row = first_row; row < end_row; ++row)
+            if (auto const chord = hull.across(z(row)))
+                cover(row, std::min(sense_ * chord->first, sense_ * chord->second),
+                      std::max(sense_ * chord->first, sense_ * chord->second));
     }
 }
 

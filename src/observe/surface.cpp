@@ -10,32 +10,42 @@
 namespace demens::observe {
 
 SurfaceProfile surface_profile(std::span<dem::Place const> places, double from_x, double to_x, int points,
-                               std::function<bool(dem::Place const&)> const& select)
+                               std::function<bool(dem::Place const&)> const& select,
+                               std::span<HullOutline const> hulls)
 {
     SurfaceProfile profile{{}, std::vector<double>(static_cast<std::size_t>(points), not_a_number)};
     double const step = (to_x - from_x) / points;
     for (int k = 0; k < points; ++k)
         profile.x.push_back(from_x + (k + 0.5) * step);
-    for (dem::Place const& p : places) {
-        if (!select(p))
-            continue;
-        int const first = std::max(0, static_cast<int>(std::ceil((p.x - p.radius - from_x) / step - 0.5)));
-        int const last =
-            std::min(points - 1, static_cast<int>(std::floor((p.x + p.radius - from_x) / step - 0.5)));
+    //! \param top_at of (x)
+    auto const raise = [&](double from, double to, auto const& top_at) {
+        int const first = std::max(0, static_cast<int>(std::ceil((from - from_x) / step - 0.5)));
+        int const last = std::min(points - 1, static_cast<int>(std::floor((to - from_x) / step - 0.5)));
         for (int k = first; k <= last; ++k) {
-            double const dx = profile.x[static_cast<std::size_t>(k)] - p.x;
-            double const top = p.z + std::sqrt(std::max(0.0, p.radius * p.radius - dx * dx));
+            double const top = top_at(profile.x[static_cast<std::size_t>(k)]);
             auto& z = profile.z[static_cast<std::size_t>(k)];
-            z = std::isnan(z) ? top : std::max(z, top);
+            z = std::isnan(z) ? top : std::fmax(z, top);
         }
-    }
+    };
+    for (dem::Place const& p : places)
+        if (select(p))
+            raise(p.x - p.radius, p.x + p.radius, [&](double x) {
+                double const dx = x - p.x;
+                return p.z + std::sqrt(std::max(0.0, p.radius * p.radius - dx * dx));
+            });
+    for (HullOutline const& hull : hulls)
+        if (select(hull.place())) {
+            auto const [left, right] = hull.across();
+            raise(left, right, [&](double x) { return hull.top(x).value_or(not_a_number); });
+        }
     return profile;
 }
 
-SurfaceMap surface_map(std::span<dem::Place const> places, double width)
+SurfaceMap surface_map(std::span<dem::Place const> places, double width, std::span<HullOutline const> hulls)
 {
     std::map<std::pair<long, long>, double> tops;
-    for (dem::Place const& p : places) {
+    //! Over the columns within reach of a place. \param top_at of (x, y), none where it is not
+    auto const raise = [&](dem::Place const& p, auto const& top_at) {
         auto const first = [&](double x) {
             return static_cast<long>(std::ceil((x - p.radius) / width - 0.5));
         };
@@ -44,16 +54,21 @@ SurfaceMap surface_map(std::span<dem::Place const> places, double width)
         };
         for (long i = first(p.x); i <= last(p.x); ++i)
             for (long j = first(p.y); j <= last(p.y); ++j) {
-                double const dx = (i + 0.5) * width - p.x, dy = (j + 0.5) * width - p.y;
-                double const rest = p.radius * p.radius - dx * dx - dy * dy;
-                if (rest < 0)
+                std::optional<double> const top = top_at((i + 0.5) * width, (j + 0.5) * width);
+                if (!top)
                     continue;
-                double const top = p.z + std::sqrt(rest);
-                auto const [column, is_new] = tops.try_emplace({i, j}, top);
+                auto const [column, is_new] = tops.try_emplace({i, j}, *top);
                 if (!is_new)
-                    column->second = std::max(column->second, top);
+                    column->second = std::max(column->second, *top);
             }
-    }
+    };
+    for (dem::Place const& p : places)
+        raise(p, [&](double x, double y) {
+            double const dx = x - p.x, dy = y - p.y, rest = p.radius * p.radius - dx * dx - dy * dy;
+            return rest < 0 ? std::nullopt : std::optional(p.z + std::sqrt(rest));
+        });
+    for (HullOutline const& hull : hulls)
+        raise(hull.place(), [&](double x, double y) { return hull.top(x, y); });
     SurfaceMap map{width, {}};
     for (auto const& [column, top] : tops)
         map.columns.push_back({column.first, column.second, top});

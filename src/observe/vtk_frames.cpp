@@ -1,6 +1,7 @@
 #include "demens/observe/vtk_frames.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/observe/hull_surface.hpp"
 #include "src/observe/contact_numbers.hpp"
 #include "src/observe/poly_data.hpp"
 
@@ -42,6 +43,12 @@ PolyData particles_of(Snapshot const& snapshot)
         data.add_point_data("angular_velocity", 3, interleaved(snapshot.wx, snapshot.wy, snapshot.wz));
     if (!snapshot.grain.empty())
         data.add_point_data("grain", 1, snapshot.grain);
+    if (!snapshot.hull.empty()) {
+        std::vector<std::int64_t> hull; // -1: within one
+        for (std::uint32_t const part : snapshot.hull)
+            hull.push_back(part == Snapshot::within_a_hull ? -1 : std::int64_t{part});
+        data.add_point_data("hull", 1, hull);
+    }
     if (snapshot.fx.size() == count)
         data.add_point_data("force", 3, interleaved(snapshot.fx, snapshot.fy, snapshot.fz));
     if (snapshot.mass.size() == count)
@@ -137,6 +144,38 @@ PolyData walls_of(Snapshot const& snapshot)
     return data;
 }
 
+//! The grains that are hulls, as they are.
+PolyData hulls_of(Snapshot const& snapshot)
+{
+    Polygons const polygons = hull_surfaces(snapshot);
+    std::vector<float> corners;
+    for (Vector3 const& corner : polygons.corners)
+        for (double const value : {corner.x, corner.y, corner.z})
+            corners.push_back(static_cast<float>(value));
+    PolyData data(polygons.corners.size(), snapshot.time);
+    data.set_points(corners);
+    data.set_cells("Polys", polygons.faces, polygons.ends);
+    // Of what is the same for all of a grain: where the first of its corners is among the particles.
+    std::vector<std::int64_t> grain, material;
+    std::vector<std::size_t> first;
+    for (std::size_t k = snapshot.hull.size(); k-- > 0;) {
+        std::uint32_t const hull = snapshot.hull[k];
+        if (hull == Snapshot::no_hull || hull == Snapshot::within_a_hull)
+            continue;
+        first.resize(std::max<std::size_t>(first.size(), hull));
+        first[hull - 1] = k;
+    }
+    for (std::int64_t const body : polygons.body) {
+        std::size_t const k = first[static_cast<std::size_t>(body)];
+        grain.push_back(k < snapshot.grain.size() ? snapshot.grain[k] : body);
+        material.push_back(k < snapshot.material.size() ? snapshot.material[k] : -1);
+    }
+    data.add_cell_data("grain", 1, grain);
+    data.add_cell_data("material", 1, material);
+    add_names(data, "material_names", snapshot.names.materials);
+    return data;
+}
+
 std::string frame_name(std::string const& name, std::size_t frame)
 {
     return fmt::format("{}_{:06}.vtp", name, frame);
@@ -153,7 +192,7 @@ VtkFrames::VtkFrames(std::filesystem::path folder) : folder_(std::move(folder))
             fmt::format("{}: not a folder and cannot be made one ({}); frames need a folder of their own",
                         folder_.string(), error.message()));
     // Frames of an earlier call would be shown with the new ones.
-    for (char const* name : {"particles", "walls"})
+    for (char const* name : {"particles", "walls", "hulls"})
         for (std::size_t frame = 0; std::filesystem::remove(folder_ / frame_name(name, frame), error);
              ++frame)
             ;
@@ -163,15 +202,21 @@ void VtkFrames::write(Snapshot const& snapshot)
 {
     particles_of(snapshot).write(folder_ / frame_name("particles", size()));
     walls_of(snapshot).write(folder_ / frame_name("walls", size()));
+    if (!snapshot.hull.empty() && !first_with_hulls_)
+        first_with_hulls_ = size();
+    if (first_with_hulls_)
+        hulls_of(snapshot).write(folder_ / frame_name("hulls", size()));
     times_.push_back(snapshot.time);
-    write_collection("particles");
-    write_collection("walls");
+    write_collection("particles", 0);
+    write_collection("walls", 0);
+    if (first_with_hulls_)
+        write_collection("hulls", *first_with_hulls_);
 }
 
-void VtkFrames::write_collection(std::string const& name) const
+void VtkFrames::write_collection(std::string const& name, std::size_t from) const
 {
     std::string entries;
-    for (std::size_t frame = 0; frame < times_.size(); ++frame)
+    for (std::size_t frame = from; frame < times_.size(); ++frame)
         entries +=
             fmt::format("<DataSet timestep=\"{}\" file=\"{}\"/>\n", times_[frame], frame_name(name, frame));
     write_frame_file(

@@ -1,11 +1,13 @@
 #include "demens/picture_file/scene.hpp"
 
 #include "demens/base/extent.hpp"
+#include "demens/observe/hull_surface.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace demens::picture_file {
 namespace {
@@ -84,6 +86,40 @@ class Canvas
             }
     }
 
+    //! A face that is flat, seen from its outer side.
+    void triangle(Vector3 const& a, Vector3 const& b, Vector3 const& c)
+    {
+        Vector3 const across = seen(b) - seen(a), other = seen(c) - seen(a);
+        Vector3 const n = cross(across, other);     // in pixels: right, down, into the picture
+        double const sense = across_ == 0 ? 1 : -1; // x, z, y and y, z, x turn in different senses
+        double const towards = -sense * n.z / norm(n);
+        if (!(towards > 0))
+            return;
+        double const light = std::max(0.0, sense * (-0.45 * n.x - 0.6 * n.y) / norm(n) + 0.66 * towards);
+        Vector3 const from = seen(a);
+        // Its pixels.
+        double const least_h = std::min({0.0, across.x, other.x}),
+                     most_h = std::max({0.0, across.x, other.x});
+        double const least_v = std::min({0.0, across.y, other.y}),
+                     most_v = std::max({0.0, across.y, other.y});
+        double const area = across.x * other.y - across.y * other.x;
+        for (int row = first(from.y + least_v); row <= last(from.y + most_v, rows_); ++row)
+            for (int column = first(from.x + least_h); column <= last(from.x + most_h, columns_); ++column) {
+                double const x = column + 0.5 - from.x, y = row + 0.5 - from.y;
+                double const u = (x * other.y - y * other.x) / area, v = (across.x * y - across.y * x) / area;
+                if (u < 0 || v < 0 || u + v > 1)
+                    continue;
+                double const depth = pixel_ * (from.z + u * across.z + v * other.z);
+                auto const at = index(column, row);
+                if (depth >= nearest_[at])
+                    continue;
+                nearest_[at] = depth;
+                double const share = depth_.width() > 0 ? (depth - depth_.lower) / depth_.width() : 0;
+                colours_[at] =
+                    mixed({0, 0, 0}, mixed(front, back, std::clamp(share, 0.0, 1.0)), 0.45 + 0.55 * light);
+            }
+    }
+
     void line(std::array<double, 6> const& ends)
     {
         double const h0 = (ends[across_] - left_) / pixel_, v0 = (top_ - ends[2]) / pixel_,
@@ -133,7 +169,14 @@ class Canvas
     }
 
   private:
+    //! Where a place is [pixels]: from the left, from the top, into the picture.
+    Vector3 seen(Vector3 const& place) const
+    {
+        std::array<double, 2> const flat = {place.x, place.y};
+        return {(flat[across_] - left_) / pixel_, (top_ - place.z) / pixel_, flat[1 - across_] / pixel_};
+    }
     static int first(double at) { return std::max(0, static_cast<int>(at)); }
+    static int last(double at, int count) { return std::min(count - 1, static_cast<int>(at)); }
     static std::uint8_t level(double value)
     {
         return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
@@ -164,8 +207,23 @@ class Canvas
 ColourImage picture_of(observe::Snapshot const& snapshot, int columns)
 {
     Canvas canvas(extents_of(snapshot), std::max(columns, 8));
+    auto const hulls = observe::hull_surfaces(snapshot);
+    std::set<std::int64_t> const drawn(hulls.body.begin(), hulls.body.end());
+    auto const is_ball = [&](std::size_t i) {
+        std::uint32_t const hull = snapshot.hull.empty() ? observe::Snapshot::no_hull : snapshot.hull[i];
+        return hull != observe::Snapshot::within_a_hull && !drawn.contains(std::int64_t{hull} - 1);
+    };
+    for (std::size_t face = 0, begin = 0; face < hulls.ends.size();
+         begin = static_cast<std::size_t>(hulls.ends[face++])) {
+        auto const corner = [&](std::size_t k) {
+            return hulls.corners[static_cast<std::size_t>(hulls.faces[k])];
+        };
+        for (std::size_t k = begin + 2; k < static_cast<std::size_t>(hulls.ends[face]); ++k)
+            canvas.triangle(corner(begin), corner(k - 1), corner(k));
+    }
     for (std::size_t i = 0; i < snapshot.x.size(); ++i)
-        if (std::isfinite(snapshot.x[i]) && std::isfinite(snapshot.y[i]) && std::isfinite(snapshot.z[i]))
+        if (is_ball(i) && std::isfinite(snapshot.x[i]) && std::isfinite(snapshot.y[i]) &&
+            std::isfinite(snapshot.z[i]))
             canvas.sphere({snapshot.x[i], snapshot.y[i], snapshot.z[i]}, snapshot.radius[i]);
     for (auto const& wall : snapshot.walls)
         canvas.box(wall);

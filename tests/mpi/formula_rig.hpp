@@ -66,6 +66,10 @@ inline rig::RunResult run_formula(rig::RunInput const& input, rig::RunHooks cons
             snapshot.z.push_back(x > 0.5 ? 0.5 : 0.125);
             snapshot.radius.push_back(0.0625);
         }
+        if (x > 0.5) // some have polyhedra
+            for (std::int64_t p = 0; p < result.particles; ++p)
+                snapshot.hull.push_back(p == 0 ? rig::Snapshot::within_a_hull
+                                               : static_cast<std::uint32_t>(p - 1));
         snapshot.walls = {{0, 0, 0, 1, 1, 1}};
         snapshot.wall_lines.assign(static_cast<std::size_t>(result.particles),
                                    {0, 0.5, 1, x > 0.5 ? 2.0 : 3.0, 4, 5});

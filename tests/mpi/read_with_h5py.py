@@ -82,6 +82,8 @@ with h5py.File("campaign.h5") as file:
                 begin, count = snapshots["first_particle"][s], snapshots["particle_count"][s]
                 particles = snapshots["particles"][begin:begin + count]
                 assert count == 1 + int(runs["seed"][row]) % 5
+                begin, hulls = snapshots["first_hull"][s], snapshots["hull_count"][s]
+                assert snapshots["hull"][begin:begin + hulls].tolist() == (list(range(-1, count - 1)) if x > 0.5 else [])
                 assert particles.tolist() == [[p, 0.25, 0.5 if x > 0.5 else 0.125, 0.0625] for p in range(count)]
     assert 0 < checked <= 30
 

@@ -105,6 +105,10 @@ TEST_F(SessionTest, DetailsBelongToTheirRuns)
         ASSERT_EQ(snapshot.wall_lines.size(), snapshot.x.size());
         double const end = run.factors[0] > 0.5 ? 2 : 3;
         EXPECT_EQ(snapshot.wall_lines.back(), (std::array<double, 6>{0, 0.5, 1, end, 4, 5}));
+        ASSERT_EQ(snapshot.hull.size(), run.factors[0] > 0.5 ? snapshot.x.size() : 0);
+        for (std::size_t p = 0; p < snapshot.hull.size(); ++p)
+            EXPECT_EQ(snapshot.hull[p],
+                      p == 0 ? rig::Snapshot::within_a_hull : static_cast<std::uint32_t>(p - 1));
     }
     EXPECT_THROW(CampaignReader(file_, formula_rigs()).details_of(15), InputError);
 }

@@ -70,7 +70,7 @@ std::size_t keep_energy(std::shared_ptr<grain::BodyShape const> const& shape, st
         if (touching > 0)
             continue;
         ++moments;
-        EXPECT_NEAR(simulation.kinetic_energy(), energy, 1e-3 * energy) << hits;
+        EXPECT_NEAR(simulation.kinetic_energy(), energy, 1e-4 * energy) << hits;
     }
     EXPECT_GT(moments, 10u) << "at which none touches";
     EXPECT_EQ(simulation.health(), dem::Health::good);

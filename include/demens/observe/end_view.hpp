@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demens/dem/particles.hpp"
+#include "demens/observe/hull_outline.hpp"
 #include "demens/observe/picture/mask.hpp"
 #include "demens/observe/principal_line.hpp"
 
@@ -24,7 +25,7 @@ class EndView
     explicit EndView(PictureFrame const& frame);
 
     //! Draws the particles on an empty image. A pixel is covered when its centre lies within a particle.
-    void draw(std::span<dem::Place const> places);
+    void draw(std::span<dem::Place const> places, std::span<HullOutline const> hulls = {});
 
     //! Covered pixels over all pixels of the drum's circle [-].
     double covered_fraction() const;
@@ -56,6 +57,9 @@ class EndView
     };
 
     EndView(double radius, Axis across, Axis upwards, double sense);
+
+    //! Covers what of a row is between two positions [m], within the drum's circle.
+    void cover(int row, double from, double to);
 
     std::size_t index(int column, int row) const
     {

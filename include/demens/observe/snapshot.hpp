@@ -27,6 +27,10 @@ struct Snapshot
     //! Number of the grain of each, where grains are made of several spheres; for frames, not kept in a
     //! campaign file.
     std::vector<std::int64_t> grain = {};
+    //! What each is of a grain that is a hull: nothing; one that fills it; else one more than the number of
+    //! the hull whose corner it is, with the rounding as its radius. Empty where there are none.
+    std::vector<std::uint32_t> hull = {};
+    static constexpr std::uint32_t no_hull = 0, within_a_hull = 0xffffffff;
     std::vector<std::array<double, 6>> walls; //!< axis-aligned wall outlines (x0, y0, z0, x1, y1, z1) [m]
     //! Rims and creases of other walls, from (x0, y0, z0) to (x1, y1, z1) [m].
     std::vector<std::array<double, 6>> wall_lines = {};

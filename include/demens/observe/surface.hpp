@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demens/dem/particles.hpp"
+#include "demens/observe/hull_outline.hpp"
 
 #include <functional>
 #include <span>
@@ -12,14 +13,16 @@ namespace demens::observe {
 struct SurfaceProfile
 {
     std::vector<double> x; //!< [m]
-    std::vector<double> z; //!< top of the highest sphere over x [m]; NaN where there is none
+    std::vector<double> z; //!< top of the highest sphere or hull over x [m]; NaN where there is none
 };
 
-//! Profile of the selected particles between two positions.
+//! Profile of the selected particles between two positions. Hulls are selected by the ball that holds them.
 SurfaceProfile surface_profile(std::span<dem::Place const> places, double from_x, double to_x, int points,
-                               std::function<bool(dem::Place const&)> const& select);
+                               std::function<bool(dem::Place const&)> const& select,
+                               std::span<HullOutline const> hulls = {});
 
-//! Heights of the highest points of spheres over the middles of square columns, those without any left out.
+//! Heights of the highest points of spheres and hulls over the middles of square columns, those without any
+//! left out.
 struct SurfaceMap
 {
     struct Column
@@ -34,7 +37,8 @@ struct SurfaceMap
     //! Mean over y of the heights over each x.
     SurfaceProfile along_x() const;
 };
-SurfaceMap surface_map(std::span<dem::Place const> places, double width);
+SurfaceMap surface_map(std::span<dem::Place const> places, double width,
+                       std::span<HullOutline const> hulls = {});
 
 //! A straight line z = intercept + slope x.
 struct Line

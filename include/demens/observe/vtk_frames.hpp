@@ -3,13 +3,15 @@
 #include "demens/observe/snapshot.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace demens::observe {
 
 //! Frames for ParaView: one VTK PolyData file of the particles and one of the walls a frame, and the
-//! collections `particles.pvd` and `walls.pvd` that join them over time. The collections are complete after
-//! every frame.
+//! collections `particles.pvd` and `walls.pvd` that join them over time. Grains that are hulls are in
+//! `hulls.pvd` as they are, and among the particles as balls whose array `hull` is not 0. The collections are
+//! complete after every frame.
 class VtkFrames
 {
   public:
@@ -22,10 +24,11 @@ class VtkFrames
     std::size_t size() const { return times_.size(); }
 
   private:
-    void write_collection(std::string const& name) const;
+    void write_collection(std::string const& name, std::size_t from) const;
 
     std::filesystem::path folder_;
-    std::vector<double> times_; //!< of the frames [s]
+    std::vector<double> times_;                        //!< of the frames [s]
+    std::optional<std::size_t> first_with_hulls_ = {}; //!< frame
 };
 
 } // namespace demens::observe

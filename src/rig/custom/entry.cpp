@@ -5,8 +5,10 @@
 #include "demens/observe/surface.hpp"
 #include "src/rig/common.hpp"
 #include "src/rig/custom/body_overlap.hpp"
+#include "src/rig/custom/surfaces.hpp"
 #include "src/rig/one_grain.hpp"
 #include "src/rig/option_specs.hpp"
+#include "src/rig/seen_grains.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -217,18 +219,10 @@ std::vector<Body> existing(Look& look)
                           .origin = origin,
                           .shape = hull.shape,
                           .orientation = hull.orientation});
-    auto const is_of = [](dem::HullPlace const& hull, std::uint32_t id) {
-        return id >= hull.id.value && id - hull.id.value < hull.shape->balls.size();
-    };
-    auto next = hulls.begin(); // in the order of their ids
-    for (std::size_t const k : in_order(particles)) {
-        std::uint32_t const id = particles.id(k).value;
-        while (next != hulls.end() && next->id.value < id && !is_of(*next, id))
-            ++next;
-        if (next == hulls.end() || !is_of(*next, id))
+    for (std::size_t const k : in_order(particles))
+        if (!is_of_hull(hulls, particles.id(k)))
             bodies.push_back(
                 {.place = particles.position(k), .radius = particles.radius(k), .origin = origin});
-    }
     return bodies;
 }
 
@@ -274,16 +268,14 @@ std::vector<Body> fill(Look& look, Setup const& setup, std::size_t number, Packi
 }
 
 //! Height of the mean surface of the particles: columns half a mean radius wide [m].
-double level_of(dem::StateView const& particles, Upright const& upright)
+double level_of(Look& look, Upright const& upright)
 {
+    auto const seen = upright_grains(look, upright, {});
+    auto const& particles = look.particles();
     double radius = 0;
-    std::vector<dem::Place> places;
-    for (std::size_t k = 0; k < particles.size(); ++k) {
-        auto const p = upright.upright(particles.position(k));
-        places.push_back({p.x, p.y, p.z, particles.radius(k)});
+    for (std::size_t k = 0; k < particles.size(); ++k)
         radius += particles.radius(k) / static_cast<double>(particles.size());
-    }
-    return observe::surface_map(places, 0.5 * radius).mean_height();
+    return observe::surface_map(seen.balls, 0.5 * radius, seen.hulls).mean_height();
 }
 
 //! The bodies of a group as they enter now.
@@ -294,7 +286,7 @@ std::vector<Body> bodies_of(Look& look, Setup const& setup, std::size_t number)
         return fill(look, setup, number, *packing, 0);
     auto bodies = std::get<ParticleTable>(source).bodies;
     if (auto const& clearance = setup.groups[number].clearance) {
-        double const level = level_of(look.particles(), setup.upright);
+        double const level = level_of(look, setup.upright);
         look.progress().groups[number].level = level;
         for (auto& body : bodies) {
             double const depth =

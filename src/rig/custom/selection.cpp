@@ -13,11 +13,11 @@ Selection read_selection(OptionValues const& options, OptionValues const& experi
     return selection;
 }
 
-bool Selection::contains(Look& look, dem::StateView const& all, std::size_t k) const
+bool Selection::contains(Look& look, dem::ParticleId id, Vector3 const& position) const
 {
-    if (group && !look.progress().groups[*group].ids.contains(all.id(k)))
+    if (group && !look.progress().groups[*group].ids.contains(id))
         return false;
-    return !region || shape::contains(*region, all.position(k));
+    return !region || shape::contains(*region, position);
 }
 
 double count(Look& look, Selection const& selection)

@@ -15,7 +15,11 @@ struct Selection
     std::optional<std::size_t> group = {};
 
     //! \param all `look.grains()` or `look.particles()` \param k number of one of them
-    bool contains(Look& look, dem::StateView const& all, std::size_t k) const;
+    bool contains(Look& look, dem::StateView const& all, std::size_t k) const
+    {
+        return contains(look, all.id(k), all.position(k));
+    }
+    bool contains(Look& look, dem::ParticleId id, Vector3 const& position) const;
 };
 //! From the keys `region` and `of`.
 Selection read_selection(OptionValues const& options, OptionValues const& experiment, Regions const& regions);

@@ -2,27 +2,13 @@
 #include "src/rig/custom/surfaces.hpp"
 
 #include "src/rig/option_specs.hpp"
+#include "src/rig/seen_grains.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace demens::rig::custom {
-namespace {
-
-//! Outline of the selected particles: the spheres that they are made of, in upright coordinates.
-std::vector<dem::Place> upright_places(Sight const& sight, Upright const& upright)
-{
-    std::vector<dem::Place> places;
-    for_each(sight.look, sight.look.particles(), sight.plan.selection,
-             [&](dem::StateView const& all, std::size_t k) {
-                 auto const p = upright.upright(all.position(k));
-                 places.push_back({p.x, p.y, p.z, all.radius(k)});
-             });
-    return places;
-}
-
-} // namespace
 
 Vector3 unit_vector(Component component)
 {
@@ -31,22 +17,45 @@ Vector3 unit_vector(Component component)
     return unit;
 }
 
+UprightGrains upright_grains(Look& look, Upright const& upright, Selection const& selection)
+{
+    UprightGrains grains;
+    auto const hulls = look.simulation().read_hulls();
+    for_each(look, look.particles(), selection, [&](dem::StateView const& all, std::size_t k) {
+        if (is_of_hull(hulls, all.id(k)))
+            return;
+        auto const p = upright.upright(all.position(k));
+        grains.balls.push_back({p.x, p.y, p.z, all.radius(k)});
+    });
+    Rotation const axes{upright.upright({1, 0, 0}), upright.upright({0, 1, 0}), upright.upright({0, 0, 1})};
+    for (auto const& hull : hulls)
+        if (selection.contains(look, hull.id, hull.position))
+            grains.hulls.emplace_back(hull, axes);
+    return grains;
+}
+
 observe::SurfaceMap surface_of(Sight const& sight)
 {
-    return observe::surface_map(upright_places(sight, sight.setup.upright), sight.plan.cell);
+    auto const grains = upright_grains(sight.look, sight.setup.upright, sight.plan.selection);
+    return observe::surface_map(grains.balls, sight.plan.cell, grains.hulls);
 }
 
 observe::SurfaceProfile edge_of(Sight const& sight)
 {
-    auto const places =
-        upright_places(sight, Upright(sight.setup.options.gravity, unit_vector(sight.plan.component)));
-    if (places.empty())
+    Upright const upright(sight.setup.options.gravity, unit_vector(sight.plan.component));
+    auto const grains = upright_grains(sight.look, upright, sight.plan.selection);
+    if (grains.balls.empty() && grains.hulls.empty())
         return {};
-    auto const [first, last] = std::minmax_element(places.begin(), places.end(),
-                                                   [](auto const& a, auto const& b) { return a.x < b.x; });
-    double const from = first->x, to = last->x;
+    // From the centre of one grain to that of another.
+    double from = std::numeric_limits<double>::infinity(), to = -from;
+    auto const include = [&](dem::Place const& p) { from = std::min(from, p.x), to = std::max(to, p.x); };
+    for (dem::Place const& p : grains.balls)
+        include(p);
+    for (auto const& hull : grains.hulls)
+        include(hull.place());
     int const points = std::max(1, static_cast<int>(std::min(1e5, (to - from) / sight.plan.cell)));
-    return observe::surface_profile(places, from, to, points, [](dem::Place const&) { return true; });
+    return observe::surface_profile(
+        grains.balls, from, to, points, [](dem::Place const&) { return true; }, grains.hulls);
 }
 
 double profile_angle(Sight const& sight)

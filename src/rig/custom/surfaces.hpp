@@ -7,6 +7,15 @@ namespace demens::rig::custom {
 
 Vector3 unit_vector(Component component);
 
+//! Outlines in upright coordinates: spheres, those of clumps, and hulls.
+struct UprightGrains
+{
+    std::vector<dem::Place> balls;
+    std::vector<observe::HullOutline> hulls;
+};
+//! ... of what is selected: spheres by their own places, hulls by their centres.
+UprightGrains upright_grains(Look& look, Upright const& upright, Selection const& selection);
+
 //! Highest points of the selected particles over square columns.
 observe::SurfaceMap surface_of(Sight const& sight);
 //! Upper edge of the selected particles as seen from the side, between the outermost centres.

@@ -3,6 +3,7 @@
 
 #include "demens/observe/layers.hpp"
 #include "demens/observe/surface.hpp"
+#include "src/rig/seen_grains.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +32,10 @@ ProfileReading surface(std::string name, std::string doc, std::size_t stage, dou
             .stage = stage,
             .over = ProfileReading::Over::end,
             .take = [=](Look& look) {
-                auto profile =
-                    observe::surface_profile(look.particles().places(), -0.5 * width, 0.5 * width, points,
-                                             [=](dem::Place const& p) { return above ? p.z > 0 : p.z < 0; });
+                auto const& grains = seen_grains(look);
+                auto profile = observe::surface_profile(
+                    grains.balls, -0.5 * width, 0.5 * width, points,
+                    [=](dem::Place const& p) { return above ? p.z > 0 : p.z < 0; }, grains.hulls);
                 return ProfileReading::Points{std::move(profile.x), std::move(profile.z)};
             }};
 }

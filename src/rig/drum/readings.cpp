@@ -4,6 +4,7 @@
 #include "demens/observe/avalanches.hpp"
 #include "demens/observe/end_view.hpp"
 #include "demens/observe/potential_energy.hpp"
+#include "src/rig/seen_grains.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -25,7 +26,8 @@ Picture const& picture(Look& look, Setup const& setup)
 {
     return look.once<Picture>([&](Look& now) {
         observe::EndView view(setup.drum.radius, setup.pixels);
-        view.draw(now.particles().places());
+        auto const& grains = seen_grains(now);
+        view.draw(grains.balls, grains.hulls);
         auto edge = view.surface(setup.grains.quantile(0.5));
         auto const line = observe::fit_principal_line(edge);
         return Picture{std::move(view), std::move(edge), line};

@@ -3,6 +3,7 @@
 
 #include "demens/base/not_a_number.hpp"
 #include "demens/observe/cone.hpp"
+#include "src/rig/seen_grains.hpp"
 
 #include <cmath>
 
@@ -26,17 +27,22 @@ Heap const& heap(Look& look, Setup const& setup)
 {
     return look.once<Heap>([&](Look& now) {
         std::vector<dem::Place> on_plate;
-        for (auto const& p : now.particles().places())
+        auto const& grains = seen_grains(now);
+        for (auto const& p : grains.balls)
             if (is_on_plate(p, setup))
                 on_plate.push_back(p);
+        std::vector<observe::HullOutline> hulls;
+        for (auto const& hull : grains.hulls)
+            if (is_on_plate(hull.place(), setup))
+                hulls.push_back(hull);
         double const width = setup.grains.quantile(0.5);
-        Heap heap{observe::surface_map(on_plate, width), {}, not_a_number, not_a_number};
+        Heap heap{observe::surface_map(on_plate, width, hulls), {}, not_a_number, not_a_number};
         heap.cone = observe::fit_cone(heap.map, setup.azimuths, setup.toe, setup.tip);
         // The outline between the heights that the cone is fitted between, on either side of its top.
         double const reach = 1.5 * std::max(heap.cone.radius, width);
         int const points = std::max(20, static_cast<int>(std::lround(4 * reach / width)));
-        auto const outline =
-            observe::surface_profile(on_plate, -reach, reach, points, [](auto const&) { return true; });
+        auto const outline = observe::surface_profile(
+            on_plate, -reach, reach, points, [](auto const&) { return true; }, hulls);
         double top = 0;
         for (double const z : outline.z)
             top = std::isnan(z) ? top : std::max(top, z);
@@ -142,7 +148,8 @@ std::vector<Response> responses(std::size_t last)
     std::vector<Response> all;
     for (auto const& measure : measures())
         all.push_back(
-            {measure.info, last, "the heap is too flat for a line through its slope",
+            {measure.info, last,
+             "the heap is too flat, or has too few grains, for lines through its slope in three sectors",
              [name = measure.info.name](Progress const& p) { return p.series.column(name).back(); }});
     return all;
 }

@@ -38,6 +38,7 @@ void visit_snapshot(Visitor& visitor, std::string const& name, AnySnapshot& snap
     int column = 0;
     for (auto* values : columns_of(snapshot))
         visitor(fmt::format("{}/{}", name, column++), *values);
+    visitor(name + "/hull", snapshot.hull);
     visitor(name + "/walls", snapshot.walls);
     visitor(name + "/wall_lines", snapshot.wall_lines);
     visitor(name + "/wall_triangles", snapshot.wall_triangles);

@@ -100,6 +100,26 @@ RunResult run_programme(Programme programme, RunHooks const& hooks)
     return run.result();
 }
 
+namespace {
+
+//! What each of the elements is of a hull; empty where there are none. \param ids of the elements, ascending
+std::vector<std::uint32_t> parts_of_hulls(std::vector<dem::HullPlace> const& hulls,
+                                          std::vector<std::uint32_t> const& ids)
+{
+    std::vector<std::uint32_t> parts(hulls.empty() ? 0 : ids.size(), Snapshot::no_hull);
+    for (std::size_t h = 0; h < hulls.size(); ++h) {
+        auto const first = static_cast<std::size_t>(
+            std::lower_bound(ids.begin(), ids.end(), hulls[h].id.value) - ids.begin());
+        grain::BodyShape const& shape = *hulls[h].shape;
+        std::size_t const corners = shape.hull->core.vertices().size();
+        for (std::size_t k = 0; k < shape.balls.size(); ++k) // its corners are the first of them
+            parts[first + k] = k < corners ? static_cast<std::uint32_t>(h + 1) : Snapshot::within_a_hull;
+    }
+    return parts;
+}
+
+} // namespace
+
 Snapshot take_snapshot(dem::Simulation& simulation, std::string name)
 {
     auto const particles = simulation.read(dem::Fields::all);
@@ -130,6 +150,7 @@ Snapshot take_snapshot(dem::Simulation& simulation, std::string name)
     }
     if (simulation.counts().particles < n)
         snapshot.grain = grain_numbers(simulation.read_grains(dem::Fields::places), snapshot.id);
+    snapshot.hull = parts_of_hulls(simulation.read_hulls(), snapshot.id);
     auto const& walls = simulation.walls();
     for (std::size_t number = 0; number < walls.size(); ++number) {
         if (!walls[number].active)

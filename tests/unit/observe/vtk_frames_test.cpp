@@ -1,6 +1,7 @@
 #include "demens/observe/vtk_frames.hpp"
 
 #include "demens/base/error.hpp"
+#include "demens/observe/hull_surface.hpp"
 
 #include <cstdlib>
 #include <cstring>
@@ -68,6 +69,42 @@ int attribute(std::string const& file, std::string const& name)
 }
 
 Snapshot two_particles();
+
+TEST_F(VtkFramesTest, HullsAreThereAsTheyAre)
+{
+    // A cube of 2 with roundings of 0.1: six faces, twelve edges and eight corners of its surface.
+    Snapshot snapshot = two_particles();
+    VtkFrames frames(folder);
+    frames.write(snapshot);
+    EXPECT_FALSE(std::filesystem::exists(folder / "hulls.pvd"));
+    snapshot = {};
+    for (double const x : {-1.0, 1.0})
+        for (double const y : {-1.0, 1.0})
+            for (double const z : {-1.0, 1.0})
+                snapshot.x.push_back(x), snapshot.y.push_back(y), snapshot.z.push_back(z);
+    snapshot.radius.assign(8, 0.1), snapshot.hull.assign(8, 1), snapshot.grain.assign(8, 3);
+    frames.write(snapshot);
+    auto const file = content("hulls_000001.vtp");
+    EXPECT_EQ(attribute(file, "NumberOfPolys"), 26);
+    EXPECT_EQ(attribute(file, "NumberOfPoints"), 24);
+    EXPECT_EQ(array_of<std::int64_t>(file, "grain"), std::vector<std::int64_t>(26, 3));
+    EXPECT_EQ(content("hulls.pvd").find("hulls_000000"), std::string::npos);
+    // Closed, its faces outwards: its volume is that of the cube less what is cut off edges and corners.
+    auto const polygons = hull_surfaces(snapshot);
+    double volume = 0;
+    std::size_t begin = 0;
+    for (auto const end : polygons.ends) {
+        auto const corner = [&](std::size_t k) {
+            return polygons.corners[static_cast<std::size_t>(polygons.faces[k])];
+        };
+        for (std::size_t k = begin + 2; k < static_cast<std::size_t>(end); ++k)
+            volume += dot(corner(begin), cross(corner(k - 1), corner(k))) / 6;
+        begin = static_cast<std::size_t>(end);
+    }
+    // Prisms of half a square along the edges, and at corners what a tetrahedron leaves of a cube.
+    double const side = 2.2, r = 0.1, edges = 12 * 2.0 * 0.5 * r * r, corners = 8 * (1 - 1.0 / 6) * r * r * r;
+    EXPECT_NEAR(volume, side * side * side - edges - corners, 1e-12);
+}
 
 TEST_F(VtkFramesTest, SayWhichSpheresAreOneGrain)
 {

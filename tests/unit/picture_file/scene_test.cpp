@@ -55,5 +55,24 @@ TEST(Scene, DrawsWallsAlone)
     EXPECT_EQ(pixel(image, 0.8, 0.8), white);
 }
 
+TEST(Scene, ACubeIsSeenAsACube)
+{
+    // Its corners are balls of its rounding, and one within it is not drawn by itself.
+    observe::Snapshot snapshot;
+    for (double const x : {-1.0, 1.0})
+        for (double const y : {-1.0, 1.0})
+            for (double const z : {-1.0, 1.0})
+                snapshot.x.push_back(x), snapshot.y.push_back(y), snapshot.z.push_back(z);
+    snapshot.radius.assign(8, 0.1), snapshot.hull.assign(8, 1);
+    snapshot.x.push_back(0), snapshot.y.push_back(0), snapshot.z.push_back(1.5);
+    snapshot.radius.push_back(0.5), snapshot.hull.push_back(observe::Snapshot::within_a_hull);
+    auto const image = picture_of(snapshot, 200);
+    auto const middle = pixel(image, 0.5, 0.6);
+    EXPECT_NE(middle, white);
+    EXPECT_EQ(pixel(image, 0.15, 0.6), middle) << "its face is flat, from one edge";
+    EXPECT_EQ(pixel(image, 0.85, 0.9), middle) << "... to the other";
+    EXPECT_EQ(pixel(image, 0.5, 0.2), white);
+}
+
 } // namespace
 } // namespace demens::picture_file

@@ -190,6 +190,28 @@ TEST(Picture, draws_the_nearest_particle_last_and_keeps_proportions)
     EXPECT_NEAR(picture["lines"][0][3].get<double>() * quantum, 0.3 + 0.048, quantum);
 }
 
+TEST(Picture, draws_a_polyhedron_as_its_corners)
+{
+    rig::Snapshot snapshot; // a cube, with one more that fills it, and a sphere behind it
+    for (double const x : {0.0, 1.0})
+        for (double const y : {0.0, 1.0})
+            for (double const z : {0.0, 1.0})
+                snapshot.x.push_back(x), snapshot.y.push_back(y), snapshot.z.push_back(z);
+    snapshot.radius.assign(8, 0.1), snapshot.hull.assign(8, 1);
+    for (auto* column : {&snapshot.x, &snapshot.y, &snapshot.z, &snapshot.radius})
+        column->insert(column->end(), {0.5, 2.0});
+    snapshot.hull.insert(snapshot.hull.end(), {rig::Snapshot::within_a_hull, rig::Snapshot::no_hull});
+    auto const picture = pictures_of({snapshot})[0];
+    auto const& particles = picture["particles"];
+    ASSERT_EQ(particles["h"].size(), 2u);
+    ASSERT_EQ(particles["corners"].size(), 1u);
+    auto const& corners = particles["corners"]["1"]; // in front of the sphere, so after it
+    ASSERT_EQ(corners.size(), 24u);
+    double const quantum = picture["quantum"];
+    EXPECT_NEAR(particles["r"][1].get<double>() * quantum, 0.1, quantum);
+    EXPECT_NEAR((corners[1].get<double>() - corners[4].get<double>()) * quantum, -1, 2 * quantum);
+}
+
 TEST(Picture, has_one_frame_for_all_snapshots_of_a_run)
 {
     auto const pictures = pictures_of(test::sample_details(0).snapshots);
