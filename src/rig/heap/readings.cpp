@@ -127,7 +127,8 @@ bool rests(Look& look, Setup const& setup)
     auto const& particles = look.grains();
     double energy = 0, mass = 0;
     for (std::size_t k = 0; k < particles.size(); ++k)
-        if (is_on_plate(particles.place(k), setup)) {
+        if (auto const& p = particles.place(k);
+            is_on_plate(p, setup) && std::hypot(p.x, p.y) <= setup.reach()) {
             energy += 0.5 * particles.mass(k) * norm_squared(particles.velocity(k));
             mass += particles.mass(k);
         }

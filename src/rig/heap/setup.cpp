@@ -136,11 +136,20 @@ double Setup::floor() const
     return -10 * grains.widest() - lip;
 }
 
+//! Radius of a layer of spheres side by side, and a fifth more [m].
+double Setup::layer() const
+{
+    return std::sqrt(1.5 * solid_volume() / (0.6 * pi * grains.quantile(0.5)));
+}
+
+double Setup::reach() const
+{
+    return radius + layer();
+}
+
 double Setup::furthest() const
 {
-    // A layer of spheres side by side, and as far again.
-    double const layer = std::sqrt(1.5 * solid_volume() / (0.6 * pi * grains.quantile(0.5)));
-    return 2 * (std::max(plate_radius, radius) + layer) + 1;
+    return 2 * (std::max(plate_radius, radius) + layer()) + 1;
 }
 
 double Setup::expected_particles() const

@@ -27,6 +27,8 @@ struct Setup
     double bottom_of_fill() const; //!< where the spheres begin that fall in at first [m]
     double top_of_fill() const;    //!< where they end [m]
     double floor() const;          //!< of what falls off the plate [m]
+    double layer() const;          //!< radius of all grains side by side, and more [m]
+    double reach() const;          //!< of what may be part of the heap, from the axis [m]
     double furthest() const;       //!< that a particle may lie from the axis [m]
 
     std::uint64_t seed;
@@ -55,7 +57,8 @@ std::vector<ProfileReading> profiles(Setup const& setup, std::size_t last);
 //! Mass of what is above the plate, within its edge [kg].
 double mass_on_plate(Look& look, Setup const& setup);
 //! Whether the mean particle on or above the plate could not rise by a thousandth of a diameter. Spins do not
-//! count: a sphere on a point may twist there for ever, and the heap lies.
+//! count: a sphere on a point may twist there for ever, and the heap lies. Nor do those that have rolled
+//! further away than a layer of all of them reaches: without rolling friction a sphere or a rod never stops.
 bool rests(Look& look, Setup const& setup);
 
 } // namespace demens::rig::heap

@@ -107,6 +107,20 @@ grain::GrainShape pair_along_z()
                               grain::SizeMeasure::equivalent);
 }
 
+TEST(GrainsInRigs, RodsThatRollAwayDoNotKeepAHeapFromLying)
+{
+    // Without rolling friction a rod that has come off the heap rolls about its axis till it leaves the
+    // domain.
+    auto input = heap_of(only(rod(2)));
+    for (auto& material : input.model.materials)
+        material.youngs_modulus = 1e6;
+    for (auto& pair : input.model.pairs)
+        pair.rolling_friction = 0;
+    auto const result = run("heap", input);
+    EXPECT_GT(response("heap", result, "angle_of_repose_deg"), 3);
+    EXPECT_LT(result.simulated_time, 3);
+}
+
 TEST(ClumpImpact, APairReboundsAsItsLeverSays)
 {
     // It leans by an angle from where it is given, upright: its lower sphere is hit at a lever d = a
