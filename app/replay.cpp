@@ -136,9 +136,7 @@ int replay(ReplayOptions const& options)
         return success;
 
     if (frames)
-        fmt::print("wrote {} frames; open {}/particles.pvd in ParaView (Representation: Point Gaussian, "
-                   "scaled by radius)\n",
-                   frames->size(), options.frames);
+        fmt::print("wrote {}\n", frames->told());
     bool const all_same = compare(experiment, stored, result);
     return options.check && !all_same ? failure : success;
 }

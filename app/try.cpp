@@ -12,6 +12,7 @@
 #include "demens/rig/programme/programme.hpp"
 #include "ensemble/run/execute.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
@@ -86,13 +87,16 @@ void print_plan(ensemble::Experiment const& experiment, rig::RunInput const& inp
     Box bodies;
     double smallest = std::numeric_limits<double>::infinity(), largest = 0;
     for (auto const& body : apparatus.bodies) {
-        bodies.add(body.position, body.radius);
+        bodies.add(body.position, body.shape ? body.radius * body.shape->reach() : body.radius);
         smallest = std::min(smallest, 2 * body.radius);
         largest = std::max(largest, 2 * body.radius);
     }
+    bool const are_spheres = std::all_of(apparatus.bodies.begin(), apparatus.bodies.end(),
+                                         [](auto const& body) { return body.is_sphere(); });
     if (bodies.any())
-        fmt::print("  at first         {} spheres of {:.4g} to {:.4g} mm, from {}\n", apparatus.bodies.size(),
-                   1e3 * smallest, 1e3 * largest, bodies.text());
+        fmt::print("  at first         {} {} of {:.4g} to {:.4g} mm{}, from {}\n", apparatus.bodies.size(),
+                   are_spheres ? "spheres" : "grains", 1e3 * smallest, 1e3 * largest,
+                   are_spheres ? "" : " (spheres of the same volume)", bodies.text());
     for (std::size_t k = 0; k < apparatus.walls.size(); ++k) {
         auto const& wall = apparatus.walls[k];
         auto const& names = programme.names.walls;
@@ -150,9 +154,7 @@ bool simulate(ensemble::Experiment const& experiment, rig::RunInput const& input
                rig::name_of(result.status), result.reason.empty() ? "" : ": ", result.reason,
                result.simulated_time, result.steps, result.particles, seconds);
     if (frames)
-        fmt::print("  wrote {} frames; open {}/particles.pvd in ParaView (Representation: Point Gaussian, "
-                   "scaled by radius)\n",
-                   frames->size(), options.frames);
+        fmt::print("  wrote {}\n", frames->told());
     if (!options.picture.empty())
         write_picture(experiment, result, options);
     for (std::size_t r = 0; r < experiment.responses.size() && r < result.responses.size(); ++r) {

@@ -213,6 +213,18 @@ void VtkFrames::write(Snapshot const& snapshot)
         write_collection("hulls", *first_with_hulls_);
 }
 
+std::string VtkFrames::told() const
+{
+    auto const folder = folder_.string();
+    auto const more = first_with_hulls_
+                          ? fmt::format("; polyhedra are in {}/hulls.pvd, their balls have hull != 0", folder)
+                          : std::string();
+    return fmt::format(
+        "{} frames; open {}/particles.pvd in ParaView (Representation: Point Gaussian, scaled by "
+        "radius){}",
+        size(), folder, more);
+}
+
 void VtkFrames::write_collection(std::string const& name, std::size_t from) const
 {
     std::string entries;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace demens::observe {
@@ -22,6 +23,8 @@ class VtkFrames
     void write(Snapshot const& snapshot);
     //! Number of frames so far.
     std::size_t size() const { return times_.size(); }
+    //! How many there are, and how they are shown, for messages.
+    std::string told() const;
 
   private:
     void write_collection(std::string const& name, std::size_t from) const;
