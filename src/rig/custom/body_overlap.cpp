@@ -1,8 +1,13 @@
 #include "src/rig/custom/body_overlap.hpp"
 
+#include "demens/base/error.hpp"
 #include "demens/grain/contact/core_gap.hpp"
+#include "src/rig/custom/geometry.hpp"
 
 #include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
 
 namespace demens::rig::custom {
 namespace {
@@ -46,6 +51,13 @@ BodyOverlap worse(BodyOverlap const& a, BodyOverlap const& b)
     return b.relative() > a.relative() ? b : a;
 }
 
+//! Extent of a body along the axis on which bodies are sorted.
+struct Interval
+{
+    double from, to;
+    Body const* body;
+};
+
 } // namespace
 
 void for_each_ball(Body const& body, std::function<void(Vector3 const&, double, double)> const& visit)
@@ -74,6 +86,40 @@ BodyOverlap overlap_of(Body const& a, Body const& b)
             worst = worse(worst, {one.rounding + other.rounding - gap, radius});
         }
     return worst;
+}
+
+void check_overlaps(std::vector<Body> const& bodies, std::size_t old, double limit)
+{
+    std::vector<Interval> intervals;
+    for (auto const& body : bodies)
+        intervals.push_back({body.place.x - body.reach(), body.place.x + body.reach(), &body});
+    std::sort(intervals.begin(), intervals.end(), [](auto const& a, auto const& b) {
+        return a.from != b.from ? a.from < b.from : a.body < b.body;
+    });
+    auto const is_old = [&](Body const* body) {
+        return static_cast<std::size_t>(body - bodies.data()) < old;
+    };
+    BodyOverlap worst{limit, 1};
+    Body const *first = nullptr, *second = nullptr;
+    for (std::size_t i = 0; i < intervals.size(); ++i)
+        for (std::size_t j = i + 1; j < intervals.size() && intervals[j].from < intervals[i].to; ++j) {
+            auto const &a = *intervals[i].body, &b = *intervals[j].body;
+            if (is_old(&a) && is_old(&b))
+                continue;
+            BodyOverlap const overlap = overlap_of(a, b);
+            if (overlap.relative() > worst.relative()) {
+                worst = overlap;
+                first = std::min(&a, &b);
+                second = std::max(&a, &b);
+            }
+        }
+    if (first)
+        throw InputError(fmt::format(
+            "two particles overlap by {:.4g} mm, {:.3g} of the smaller radius, where initial_overlap = "
+            "{:.3g}: {} "
+            "({}) and {} ({})",
+            1e3 * worst.depth, worst.relative(), limit, first->origin, in_millimetres(first->place),
+            second->origin, in_millimetres(second->place)));
 }
 
 } // namespace demens::rig::custom

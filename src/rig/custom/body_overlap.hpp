@@ -23,4 +23,8 @@ BodyOverlap overlap_of(Body const& a, Body const& b);
 //! radius to compare with)`, all in m.
 void for_each_ball(Body const& body, std::function<void(Vector3 const&, double, double)> const& visit);
 
+//! \throws InputError that names the two bodies that overlap most, when that is over the limit. Of bodies
+//! that are `old` only pairs with others count.
+void check_overlaps(std::vector<Body> const& bodies, std::size_t old, double limit);
+
 } // namespace demens::rig::custom

@@ -5,6 +5,7 @@
 #include "demens/observe/surface.hpp"
 #include "src/rig/common.hpp"
 #include "src/rig/custom/body_overlap.hpp"
+#include "src/rig/custom/geometry.hpp"
 #include "src/rig/custom/surfaces.hpp"
 #include "src/rig/one_grain.hpp"
 #include "src/rig/option_specs.hpp"
@@ -19,54 +20,6 @@
 
 namespace demens::rig::custom {
 namespace {
-
-std::string in_millimetres(Vector3 const& p)
-{
-    return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * p.x, 1e3 * p.y, 1e3 * p.z);
-}
-
-//! Extent of a body along the axis on which bodies are sorted.
-struct Interval
-{
-    double from, to;
-    Body const* body;
-};
-
-//! \throws InputError that names the two bodies that overlap most, when that is over the limit. Of bodies
-//! that are `old` only pairs with others count.
-void check_overlaps(std::vector<Body> const& bodies, std::size_t old, double limit)
-{
-    std::vector<Interval> intervals;
-    for (auto const& body : bodies)
-        intervals.push_back({body.place.x - body.reach(), body.place.x + body.reach(), &body});
-    std::sort(intervals.begin(), intervals.end(), [](auto const& a, auto const& b) {
-        return a.from != b.from ? a.from < b.from : a.body < b.body;
-    });
-    auto const is_old = [&](Body const* body) {
-        return static_cast<std::size_t>(body - bodies.data()) < old;
-    };
-    BodyOverlap worst{limit, 1};
-    Body const *first = nullptr, *second = nullptr;
-    for (std::size_t i = 0; i < intervals.size(); ++i)
-        for (std::size_t j = i + 1; j < intervals.size() && intervals[j].from < intervals[i].to; ++j) {
-            auto const &a = *intervals[i].body, &b = *intervals[j].body;
-            if (is_old(&a) && is_old(&b))
-                continue;
-            BodyOverlap const overlap = overlap_of(a, b);
-            if (overlap.relative() > worst.relative()) {
-                worst = overlap;
-                first = std::min(&a, &b);
-                second = std::max(&a, &b);
-            }
-        }
-    if (first)
-        throw InputError(fmt::format(
-            "two particles overlap by {:.4g} mm, {:.3g} of the smaller radius, where initial_overlap = "
-            "{:.3g}: {} "
-            "({}) and {} ({})",
-            1e3 * worst.depth, worst.relative(), limit, first->origin, in_millimetres(first->place),
-            second->origin, in_millimetres(second->place)));
-}
 
 template <class Shape>
 double distance_from(Shape const& shape, Vector3 const& place, double)
@@ -206,23 +159,30 @@ std::vector<std::size_t> in_order(dem::StateView const& particles)
     return order;
 }
 
+constexpr char const* is_there = "a particle there";
+
+std::vector<Body> as_bodies(std::vector<dem::HullPlace> const& hulls)
+{
+    std::vector<Body> bodies;
+    for (auto const& hull : hulls)
+        bodies.push_back({.place = hull.position,
+                          .radius = hull.radius,
+                          .origin = is_there,
+                          .shape = hull.shape,
+                          .orientation = hull.orientation});
+    return bodies;
+}
+
 //! What is there: spheres, those of clumps by themselves, and polyhedra.
 std::vector<Body> existing(Look& look)
 {
     auto const& particles = look.particles();
     auto const hulls = look.simulation().read_hulls();
-    std::vector<Body> bodies;
-    constexpr char const* origin = "a particle there";
-    for (auto const& hull : hulls)
-        bodies.push_back({.place = hull.position,
-                          .radius = hull.radius,
-                          .origin = origin,
-                          .shape = hull.shape,
-                          .orientation = hull.orientation});
+    auto bodies = as_bodies(hulls);
     for (std::size_t const k : in_order(particles))
         if (!is_of_hull(hulls, particles.id(k)))
             bodies.push_back(
-                {.place = particles.position(k), .radius = particles.radius(k), .origin = origin});
+                {.place = particles.position(k), .radius = particles.radius(k), .origin = is_there});
     return bodies;
 }
 
@@ -246,10 +206,14 @@ std::vector<Body> fill(Look& look, Setup const& setup, std::size_t number, Packi
     std::vector<shape::Sphere> obstacles;
     for (std::size_t const k : in_order(look.particles()))
         obstacles.push_back({look.particles().position(k), look.particles().radius(k)});
+    auto const hulls = as_bodies(look.simulation().read_hulls()); // the spheres that fill them leave gaps
     auto const is_free = [&](Vector3 const& p, double r) {
         if ((packing.within && !shape::contains(*packing.within, p, r)) ||
             crosses_border(setup.options.periodic, p, r))
             return false;
+        for (Body const& hull : hulls)
+            if (overlap_of({.place = p, .radius = r}, hull).depth > 0)
+                return false;
         auto const& walls = look.simulation().walls();
         return std::none_of(walls.begin(), walls.end(), [&](dem::Wall const& wall) {
             return wall.active && overlap_with(wall, p, r) > 0;

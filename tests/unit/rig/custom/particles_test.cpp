@@ -282,5 +282,22 @@ TEST(CustomParticles, AShapeEntersAtTheClearanceOfItsLowestPoint)
     EXPECT_NEAR(response_of(text + shapes, "depth_m"), -2e-3, 1e-9);
 }
 
+TEST(CustomParticles, APackingKeepsOutOfAPolyhedron)
+{
+    // Small spheres around a cube as wide as ten of them: the spheres that it is read as leave its edges
+    // free.
+    auto const text = custom_campaign(
+        "[[experiment.region]]\nname = \"around\"\nshape = \"box\"\nlower_mm = [-25, -25, -25]\n"
+        "upper_mm = [25, 25, 25]\n"
+        "[[experiment.particles]]\nname = \"probe\"\nsource = \"body\"\nmaterial = \"glass\"\nshape = "
+        "\"cube\"\ndiameter_mm = 40\nplace_mm = [0, 0, 0]\nturn_deg = [10, 20, 30]\n"
+        "[[experiment.particles]]\nname = \"bed\"\nsource = \"packing\"\nmaterial = \"glass\"\nregion = "
+        "\"around\"\ndiameter_mm = 3\ncount = 300\nstage = \"second\"\n" +
+            stage("first", "duration_s = 0.001") + stage("second", "duration_s = 0.001") +
+            response("elastic", "quantity = \"energy\"\nterm = \"elastic_normal\"\ntake = \"max\""),
+        weightless + "series_interval_s = 0.001\n");
+    EXPECT_EQ(response_of(text + shapes, "elastic"), 0);
+}
+
 } // namespace
 } // namespace demens::test
