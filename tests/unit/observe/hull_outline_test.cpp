@@ -57,9 +57,11 @@ TEST(HullOutline, TopIsWhereTheRoundingEnds)
     // Of any hull that stands any way the highest point over a place is as far from its core as its rounding.
     RandomStream random(3);
     auto const point = grain::point_hull();
+    std::vector const hulls = {hull_at(grain::tetrahedron_hull(1), 0.05),
+                               hull_at(grain::box_hull(1.5, 1, 0.7), 0.05)};
     for (int k = 0; k < 200; ++k) {
-        auto const& shape = k % 2 == 0 ? grain::tetrahedron_hull(1) : grain::box_hull(1.5, 1, 0.7);
-        auto const place = hull_at(shape, 0.05, {}, shape::random_orientation(random));
+        auto place = hulls[static_cast<std::size_t>(k % 2)];
+        place.orientation = shape::random_orientation(random);
         observe::HullOutline const seen(place);
         double const x = random.uniform(-2e-3, 2e-3), y = random.uniform(-2e-3, 2e-3);
         auto const top = seen.top(x, y);
