@@ -39,8 +39,8 @@ void add_effects(CLI::App& program, Action& action);
 void add_gap(CLI::App& program, Action& action);
 void add_shell_help(CLI::App& program, Action& action);
 
-//! Runs a campaign file, or first makes one of a TOML file, on all ranks. \return exit code, the same on all
-//! ranks
-int run_campaign(std::string const& file);
+//! Runs a campaign file, or first makes one of a TOML file, on all ranks. \param log_level word of
+//! `app/log.hpp` \return exit code, the same on all ranks
+int run_campaign(std::string const& file, std::string const& log_level);
 
 } // namespace demens::cli

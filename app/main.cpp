@@ -1,4 +1,5 @@
 #include "app/command.hpp"
+#include "app/log.hpp"
 #include "demens/base/error.hpp"
 #include "ensemble/input/nearest.hpp"
 #include "ensemble/version.hpp"
@@ -59,8 +60,10 @@ int do_what_is_asked(int argc, char** argv)
                              fmt::format("demens {} ({})", ensemble::program_version, ensemble::git_commit));
     program.require_subcommand(0, 1);
     cli::Action action;
-    std::string file;
-    program.add_option("FILE", file, "campaign file or TOML file to run");
+    std::string file, log_level = cli::usual_log_level;
+    auto* to_run = program.add_option("FILE", file, "campaign file or TOML file to run");
+    cli::add_log_level(program, log_level)->needs(to_run);
+    cli::begin_log(log_level);
     cli::add_new(program, action);
     cli::add_try(program, action);
     cli::add_plan(program, action);
@@ -99,7 +102,7 @@ int do_what_is_asked(int argc, char** argv)
     if (!file.empty() && !is_of_campaign(file))
         suggest_subcommand(program, file);
     if (!file.empty())
-        return cli::run_campaign(file);
+        return cli::run_campaign(file, log_level);
     fmt::print("{}", program.help());
     return cli::bad_input;
 }

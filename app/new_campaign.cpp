@@ -210,10 +210,10 @@ std::string other_input_text(fs::path const& campaign_file, CampaignInput const&
                                : fmt::format("note: {0} is not what {1} was made of, and {1} goes on as it "
                                              "was made. What differs, as "
                                              "the campaign has it and as {0} says now:\n{2}\nTo take it "
-                                             "over: demens extend {1} --continue {0}\n",
+                                             "over: demens extend {1} --continue {0}",
                                              name, file, lines_of(changes));
     } catch (InputError const&) {
-        return fmt::format("note: {} has faults now; {} goes on with what it was made of\n", name, file);
+        return fmt::format("note: {} has faults now; {} goes on with what it was made of", name, file);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "app/checks.hpp"
 #include "app/command.hpp"
+#include "app/log.hpp"
 #include "app/mpi_scope.hpp"
 #include "app/new_campaign.hpp"
 #include "demens/base/words.hpp"
@@ -15,6 +16,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <mpi.h>
+#include <spdlog/spdlog.h>
 
 namespace demens::cli {
 namespace {
@@ -48,32 +50,34 @@ void print_wave(ensemble::Campaign const& campaign)
         auto const first =
             std::find_if(wave.runs.begin(), wave.runs.end(),
                          [number = runs.front()](auto const& run) { return run.run == number; });
-        fmt::print(stderr, "  {} failed, {}; run {}: {}\n", runs.size(), status, first->run, first->reason);
+        spdlog::warn("  {} failed, {}; run {}: {}", runs.size(), status, first->run, first->reason);
     }
     if (auto const* responses = wave.find(ensemble::stored::optimum::best_responses))
-        fmt::print(stderr, "  best run so far {}\n",
-                   headline(ensemble::fit_quality(campaign.input, responses->data)));
+        spdlog::info("  best run so far {}",
+                     headline(ensemble::fit_quality(campaign.input, responses->data)));
 }
 
 //! With more groups they wait for rank 0, which gathers alone while waves overlap (tests/bench/scheduler).
 int constexpr most_groups_to_overlap = 1000;
 
-std::string overlap_text(ensemble::Session const& session)
+void warn_of_overlap(ensemble::Session const& session)
 {
-    if (!session.campaign().input.search.overlap || session.groups() <= most_groups_to_overlap)
-        return "";
-    return fmt::format(
-        "{} groups and waves that overlap: all may wait for the one rank that gathers meanwhile; so "
-        "many are busier with eight runs a group in a wave and [search] overlap = false\n",
-        session.groups());
+    if (session.campaign().input.search.overlap && session.groups() > most_groups_to_overlap)
+        spdlog::warn(
+            "{} groups and waves that overlap: all may wait for the one rank that gathers meanwhile; "
+            "so many are busier with eight runs a group in a wave and [search] overlap = false",
+            session.groups());
 }
 
 int calibrate(fs::path const& file, bool simulates)
 {
     ensemble::Session session(MPI_COMM_WORLD, file, {.simulates = simulates});
     bool const is_root = ensemble::rank_of(MPI_COMM_WORLD) == 0;
-    if (is_root)
-        fmt::print(stderr, "{}{}", other_input_text(file, session.campaign().input), overlap_text(session));
+    if (is_root) {
+        if (auto const text = other_input_text(file, session.campaign().input); !text.empty())
+            spdlog::warn("{}", text);
+        warn_of_overlap(session);
+    }
     auto const end = tao_calib::calibrate(session, MPI_COMM_WORLD, print_wave);
     if (is_root && end != tao_calib::CalibrationEnd::drained)
         fmt::print("{}\n", tao_calib::summary(session.campaign()));
@@ -113,18 +117,24 @@ int run_file(fs::path const& file, ArrayTask const& array)
     return end == ensemble::WaveEnd::drained ? drained : success;
 }
 
+int run_logging(std::string const& level, fs::path const& file, ArrayTask const& array)
+{
+    begin_log(level, ensemble::rank_of(MPI_COMM_WORLD));
+    return run_file(file, array);
+}
+
 } // namespace
 
-int run_campaign(std::string const& file)
+int run_campaign(std::string const& file, std::string const& log_level)
 {
-    return on_all_ranks([&] { return run_file(file, {}); });
+    return on_all_ranks([&] { return run_logging(log_level, file, {}); });
 }
 
 void add_run(CLI::App& program, Action& action)
 {
     struct Options
     {
-        std::string file;
+        std::string file, log_level = usual_log_level;
         ArrayTask array;
     };
     auto options = std::make_shared<Options>();
@@ -143,8 +153,12 @@ void add_run(CLI::App& program, Action& action)
             "between job arrays: take in what their tasks have left, plan the next wave, simulate nothing; "
             "exit code 75: there are runs for tasks")
         ->excludes(task);
+    add_log_level(*command, options->log_level);
     command->callback([options, &action] {
-        action = [options] { return on_all_ranks([&] { return run_file(options->file, options->array); }); };
+        action = [options] {
+            return on_all_ranks(
+                [&] { return run_logging(options->log_level, options->file, options->array); });
+        };
     });
 }
 

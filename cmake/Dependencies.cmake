@@ -11,6 +11,7 @@ endif()
 find_package(PkgConfig REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nlohmann_json REQUIRED)
+find_package(spdlog REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C)
 # Only the C interface: Open MPI's header would otherwise pull in its old C++ one, which is not linked.
 set_property(TARGET MPI::MPI_C APPEND PROPERTY INTERFACE_COMPILE_DEFINITIONS OMPI_SKIP_MPICXX)

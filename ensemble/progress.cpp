@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 namespace demens::ensemble {
@@ -44,8 +45,9 @@ std::string duration_text(double seconds)
 }
 
 ProgressDisplay::ProgressDisplay(std::FILE* stream, std::string label)
-    : stream_(stream), on_terminal_(stream && ::isatty(::fileno(stream))), label_(std::move(label)),
-      next_(Clock::now() + std::chrono::milliseconds(on_terminal_ ? 200 : 15000))
+    : stream_(spdlog::should_log(spdlog::level::info) ? stream : nullptr),
+      on_terminal_(stream_ && ::isatty(::fileno(stream_)) && !spdlog::should_log(spdlog::level::debug)),
+      label_(std::move(label)), next_(Clock::now() + std::chrono::milliseconds(on_terminal_ ? 200 : 15000))
 {
 }
 

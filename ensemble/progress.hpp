@@ -20,7 +20,8 @@ double seconds_left(ProgressState const& state);
 //! `4 s`, `3 min 20 s`, `2 h 05 min`; `unknown` for NaN.
 std::string duration_text(double seconds);
 
-//! Shows how a wave goes on: a line that is rewritten on a terminal, a plain line now and then in a log.
+//! Shows how a wave goes on, where the log level is `info` or below: a line that is rewritten on a terminal,
+//! a plain line now and then in a log and between the lines of single runs (`debug`).
 class ProgressDisplay
 {
   public:

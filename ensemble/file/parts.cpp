@@ -22,6 +22,13 @@ bool is_suspicious(RunHistory const& history)
     return history.crashes > 0 || history.deaths_alone > 0 || history.deaths >= Parts::deaths_until_alone;
 }
 
+bool is_result_of(RunRecord const& run, RunRecord const& plan)
+{
+    return run.run == plan.run && run.point == plan.point && run.experiment == plan.experiment &&
+           run.replicate == plan.replicate && run.seed == plan.seed && run.factors == plan.factors &&
+           run.amplitudes == plan.amplitudes;
+}
+
 } // namespace
 
 fs::path Parts::shard(int run) const
@@ -86,10 +93,9 @@ FinishedRun Parts::load(RunRecord const& plan, CampaignInput const& input,
             fmt::format("{}: damaged, its check sum is not the one in the journal", path.string()));
     auto const file = hdf5::open_in_memory(image);
     auto const wave = read_wave(file, plan.wave, input);
-    auto const& record = wave.runs.at(0);
-    if (record.run != plan.run || record.seed != plan.seed || record.factors != plan.factors ||
-        record.amplitudes != plan.amplitudes)
+    if (wave.runs.size() != 1 || !is_result_of(wave.runs.front(), plan))
         throw FileError(fmt::format("{}: belongs to another campaign", path.string()));
+    auto const& record = wave.runs.front();
     FinishedRun run{record,
                     read_details(file, plan.wave, 0,
                                  input.experiments.at(static_cast<std::size_t>(plan.experiment)).name),

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <deque>
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 namespace demens::ensemble {
 namespace {
@@ -179,6 +180,7 @@ class WaveRunner::Pass
                 if (!place)
                     break;
                 auto const& plan = queue_.plan_of(*place);
+                tell_begin(*place);
                 flight.start(*place, plan.run, company_, start_time(*place));
                 together->begin(*place, plan);
             }
@@ -233,7 +235,31 @@ class WaveRunner::Pass
     void keep(Place place, FinishedRun const& finished)
     {
         runner_.parts_.store(finished, runner_.input_, *journal_);
+        tell_end(finished.record);
         queue_.count(place, rig::has_failed(finished.record.status));
+    }
+
+    void tell_begin(Place place) const
+    {
+        if (!spdlog::should_log(spdlog::level::debug))
+            return;
+        auto const& plan = queue_.plan_of(place);
+        auto const row = static_cast<std::size_t>(queue_.row_of(place));
+        auto const& work = queue_.wave_of(place).work;
+        spdlog::debug("run {} of {}, point {}, begins on group {}; expected {}", plan.run,
+                      experiment_of(plan), plan.point, runner_.groups_.mine(),
+                      duration_text(work.seconds[row]));
+    }
+
+    void tell_end(RunRecord const& run) const
+    {
+        spdlog::debug("run {} of {} is {} after {:.2f} s{}{}", run.run, experiment_of(run),
+                      rig::name_of(run.status), run.wall_time, run.reason.empty() ? "" : ": ", run.reason);
+    }
+
+    std::string const& experiment_of(RunRecord const& run) const
+    {
+        return runner_.input_.experiments[static_cast<std::size_t>(run.experiment)].name;
     }
 
     //! Only the first rank of the group keeps what comes out; it comes out alike on all.
@@ -262,6 +288,7 @@ class WaveRunner::Pass
     void run_place(Place place)
     {
         int const run = queue_.plan_of(place).run;
+        tell_begin(place);
         journal_->start(run, company_);
         tell_of_waves();
         runner_.groups_.from_first(place);
@@ -272,6 +299,7 @@ class WaveRunner::Pass
             finished.record.start_time = begin;
             keep(place, finished);
         } catch (rig::RunInterrupted const&) {
+            spdlog::debug("run {} is given up: asked to stop", run);
             journal_->drain(run);
         } catch (FileError const&) {
             capture([&] { journal_->drain(run); }); // not the run's fault

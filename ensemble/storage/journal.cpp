@@ -31,12 +31,14 @@ struct Entry
 {
     std::string verb;
     int run = 0;
-    std::string value;
-    int status = -1;
-    double seconds = -1;
+    double begun = 0;              //!< [s] since 1970; of START and ALONE
+    std::uint32_t shard_crc = 0;   //!< of END
+    int status = -1, signal = 0;   //!< of END; of CRASH
+    double seconds = -1;           //!< of END
     bool was_asked_to_end = false; //!< a death after that is not the run's doing
 };
 
+//! A line that is not as `Journal` writes it, by its check sum or by what it says, is none.
 std::optional<Entry> parse(std::string const& line)
 {
     if (line.size() < 10 || line != line_of(line.substr(9)).substr(0, line.size()))
@@ -45,12 +47,22 @@ std::optional<Entry> parse(std::string const& line)
     std::istringstream in(line.substr(9));
     if (!(in >> entry.verb >> entry.run))
         return std::nullopt;
-    in >> entry.value;
-    if (int status = 0; in >> status)
-        entry.status = status;
-    if (double seconds = 0; in >> seconds)
-        entry.seconds = seconds;
-    return entry;
+    if (entry.verb == "START" || entry.verb == "ALONE") {
+        in >> entry.begun;
+    } else if (entry.verb == "CRASH") {
+        in >> entry.signal;
+    } else if (entry.verb == "END") {
+        if (!(in >> std::hex >> entry.shard_crc >> std::dec))
+            return std::nullopt;
+        if (int status = 0; in >> status)
+            entry.status = status;
+        if (double seconds = 0; in >> seconds)
+            entry.seconds = seconds;
+        return entry;
+    } else if (entry.verb != "BEGIN" && entry.verb != "DRAIN" && entry.verb != "STOP") {
+        return std::nullopt;
+    }
+    return in ? std::optional(entry) : std::nullopt;
 }
 
 std::vector<fs::path> journals_of(fs::path const& folder)
@@ -105,22 +117,21 @@ void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
             open.erase(entry->run);
             auto& history = histories[entry->run];
             if (entry->verb == "END") {
-                history.shard_crcs.push_back(
-                    static_cast<std::uint32_t>(std::stoul(entry->value, nullptr, 16)));
+                history.shard_crcs.push_back(entry->shard_crc);
                 history.status = entry->status;
                 history.seconds = entry->seconds;
             }
             history.stops += entry->verb == "DRAIN";
             if (entry->verb == "CRASH") {
                 ++history.crashes;
-                history.crash = "signal " + entry->value;
+                history.crash = fmt::format("signal {}", entry->signal);
             }
         }
     }
     for (auto const& [run, start] : open) {
         auto& history = histories[run];
         history.open = true;
-        history.begun = std::max(history.begun, std::stod(start.value));
+        history.begun = std::max(history.begun, start.begun);
     }
     count_deaths();
 }

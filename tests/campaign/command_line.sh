@@ -56,10 +56,18 @@ grep -q 'runs of oblique are taken from out/runs.oblique.csv' said.txt
 "$demens" run filled.h5 --gather >offline.txt || [ $? = 75 ]
 awk '$1 == "static_friction" { found = $2 } END { exit !(found > 0.199 && found < 0.201) }' offline.txt
 
-# The other command makes the same campaign in one.
+# The other command makes the same campaign in one, and tells of each run where that is asked for.
 mkdir one
 cp impact.toml one/
-mpirun --oversubscribe -n 3 "$demens" one/impact.toml >/dev/null
+mpirun --oversubscribe -n 3 "$demens" one/impact.toml --log-level debug >/dev/null 2>told.txt
+runs=$("$demens" status one/impact.h5 --json | grep -oE '"planned":[0-9]+' | cut -d: -f2)
+[ "$(grep -cE '^[0-9:.]+ rank [0-2]: run [0-9]+ of oblique, point [0-9]+, begins on group [0-2]; expected' told.txt)" = "$runs" ]
+[ "$(grep -cE '^[0-9:.]+ rank [0-2]: run [0-9]+ of oblique is finished after [0-9.]+ s$' told.txt)" = "$runs" ]
+rm one/impact.h5
+"$demens" run one/impact.toml --log-level error >/dev/null 2>told.txt
+test ! -s told.txt
+! "$demens" --log-level debug status one/impact.h5 >/dev/null 2>told.txt # of what runs alone
+grep -q 'log-level' told.txt
 "$demens" replay one/impact.h5 --run 3 --check | diff <(grep bits replay.txt) <(grep bits /dev/stdin)
 
 # Everything that a campaign may say can be listed.

@@ -4,6 +4,8 @@
 #include "ensemble/campaign_reader.hpp"
 #include "ensemble/storage/durable.hpp"
 #include "tests/fuzz/accepts.hpp"
+#include "tests/fuzz/changed_bytes.hpp"
+#include "tests/fuzz/scratch.hpp"
 #include "tests/mpi/finished_campaign.hpp"
 
 #include <fstream>
@@ -13,9 +15,7 @@ namespace {
 using namespace demens;
 using namespace demens::ensemble;
 
-std::string const file = std::filesystem::exists("/dev/shm")
-                             ? "/dev/shm/demens-fuzz-" + std::to_string(::getpid()) + ".h5"
-                             : "fuzz-" + std::to_string(::getpid()) + ".h5";
+std::filesystem::path const file = test::scratch_path("campaign.h5");
 
 Bytes campaign_image()
 {
@@ -28,11 +28,7 @@ Bytes campaign_image()
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
     static Bytes const image = campaign_image();
-    auto changed = image;
-    for (std::size_t i = 0; i + 4 <= size; i += 4) {
-        auto const offset = data[i] | data[i + 1] << 8 | data[i + 2] << 16;
-        changed[static_cast<std::size_t>(offset) % changed.size()] = static_cast<std::byte>(data[i + 3]);
-    }
+    auto const changed = test::changed_bytes(image, data, size);
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<char const*>(changed.data()), static_cast<std::streamsize>(changed.size()));
     test::read_or_refuse([&] {

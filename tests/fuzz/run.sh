@@ -1,12 +1,21 @@
 #!/usr/bin/env bash
-# Fuzzes the readers of files:  tests/fuzz/run.sh SECONDS [READER...]   (README.md here)
+# Fuzzes the readers of files:  tests/fuzz/run.sh SECONDS|same [READER...]   (README.md here)
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 source "$root/cmake/setup.sh"
 cd "$root"
-seconds=${1:?usage: tests/fuzz/run.sh SECONDS [READER...]}
+amount=${1:?usage: tests/fuzz/run.sh SECONDS|same [READER...]}
 shift
-all=(campaign_toml fit_toml csv particle_csv frames stl picture campaign_file)
+# The number of cases of `same`.
+cases() {
+    case $1 in
+    stl | journal) echo 60000 ;;
+    fit_toml | particle_csv) echo 30000 ;;
+    frames | picture | csv) echo 10000 ;;
+    *) echo 2000 ;;
+    esac
+}
+all=(campaign_file campaign_toml shard picture frames csv particle_csv fit_toml stl journal) # slow ones first
 readers=("${@:-${all[@]}}")
 
 command -v ccache >/dev/null && export CMAKE_CXX_COMPILER_LAUNCHER=ccache
@@ -34,17 +43,25 @@ seeds() {
 
 fuzz() {
     seeds "$1"
-    local log=build/fuzz/$1.log
-    if ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 "build/asan/tests/fuzz/fuzz_$1" -max_total_time="$seconds" -timeout=20 \
+    local log=build/fuzz/$1.log how corpus begin=$SECONDS
+    if [ "$amount" = same ]; then
+        how=(-seed=1 -runs="$(cases "$1")" -timeout=120)
+        corpus=build/fuzz/same/$1
+        rm -rf "$corpus" && mkdir -p "$corpus"
+    else
+        how=(-max_total_time="$amount" -timeout=20)
+        corpus=build/fuzz/corpus/$1
+    fi
+    if ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 "build/asan/tests/fuzz/fuzz_$1" "${how[@]}" \
         -rss_limit_mb=2048 -max_len=65536 -dict=build/fuzz/words.dict -print_final_stats=1 -artifact_prefix="build/fuzz/$1-" \
-        "build/fuzz/corpus/$1" "build/fuzz/seeds/$1" >"$log" 2>&1; then
-        echo "$1: $(sed -n 's/^stat::number_of_executed_units: *//p' "$log") cases, no fault"
+        "$corpus" "build/fuzz/seeds/$1" >"$log" 2>&1; then
+        echo "$1: $(sed -n 's/^stat::number_of_executed_units: *//p' "$log") cases in $((SECONDS - begin)) s, no fault"
     else
         tail -40 "$log"
         echo "$1: a fault, see $log and build/fuzz/$1-*"
         return 1
     fi
 }
-export -f fuzz seeds
-export seconds
+export -f fuzz seeds cases
+export amount
 printf '%s\n' "${readers[@]}" | xargs --max-procs="$(nproc)" -I{} bash -c 'set -euo pipefail; fuzz {}'

@@ -4,6 +4,7 @@
 #include "ensemble/storage/durable.hpp"
 
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -140,6 +141,26 @@ TEST_F(JournalTest, DamagedLinesAreAsIfTheyWereNotThere)
     EXPECT_EQ(histories[1].shard_crcs.size(), 1u);
     EXPECT_TRUE(histories[2].shard_crcs.empty());
     EXPECT_EQ(histories[2].deaths, 1);
+}
+
+TEST_F(JournalTest, WhatAHostileHandWritesWithARightCheckSumIsAsIfItWereNotThere)
+{
+    {
+        Journal journal(folder_, "rank-0000");
+        journal.start(1, Journal::Company::others);
+        journal.end(1, 0xabcd1234u, 5, 12.5);
+    }
+    std::ofstream file(folder_ / "journal-rank-0000", std::ios::app);
+    for (std::string const line :
+         {"END 1", "END 1 crc", "END 1 fffffffffffffffff", "START 1", "START 1 yesterday", "ALONE 1 1e999",
+          "CRASH 1 signal", "CRASH 1 99999999999", "START 99999999999 1", "MELT 1"})
+        file << fmt::format("{:08x} {}\n", crc32_of(line), line);
+    file.close();
+    auto histories = read_journals(folder_);
+    ASSERT_EQ(histories.size(), 1u);
+    EXPECT_EQ(histories[1].shard_crcs, std::vector<std::uint32_t>{0xabcd1234u});
+    EXPECT_FALSE(histories[1].open);
+    EXPECT_EQ(histories[1].crashes, 0);
 }
 
 TEST(WriteDurably, NamesTheFileThatCannotBeWritten)
