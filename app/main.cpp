@@ -52,6 +52,29 @@ bool is_of_campaign(std::string const& word)
                                  ensemble::input::suggestion(word, names)));
 }
 
+//! The subcommand that is being given, as deep as it is nested.
+CLI::App const& innermost(CLI::App const& program)
+{
+    auto const parsed = program.get_subcommands();
+    return parsed.empty() ? program : innermost(*parsed.front());
+}
+
+//! \throws InputError where one of the words that are left over is no option
+void refuse_unknown_option(CLI::App const& program, std::vector<std::string> const& left_over)
+{
+    auto const& command = innermost(program);
+    std::vector<std::string> names;
+    for (auto const* option : command.get_options())
+        for (auto const& name : option->get_lnames())
+            names.push_back("--" + name);
+    for (auto const& word : left_over)
+        if (word.starts_with("--"))
+            throw InputError(fmt::format("{} is no option of {}; {}", word,
+                                         &command == &program ? "demens without a subcommand"
+                                                              : "\"" + command.get_name() + "\"",
+                                         ensemble::input::suggestion(word, names)));
+}
+
 int do_what_is_asked(int argc, char** argv)
 {
     CLI::App program{"Calibrates discrete element models of granular materials from bulk experiments.",
@@ -92,6 +115,7 @@ int do_what_is_asked(int argc, char** argv)
         // A misspelt subcommand is taken for the file, and its arguments are left over.
         if (program.get_subcommands().empty() && !is_of_campaign(file))
             suggest_subcommand(program, file);
+        refuse_unknown_option(program, program.remaining(true));
         return program.exit(error) == 0 ? cli::success : cli::bad_input;
     } catch (CLI::ParseError const& error) {
         return program.exit(error) == 0 ? cli::success : cli::bad_input;

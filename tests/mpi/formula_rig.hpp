@@ -8,6 +8,7 @@
 #include <cmath>
 #include <csignal>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <thread>
 
@@ -36,10 +37,26 @@ inline rig::RunResult run_formula(rig::RunInput const& input, rig::RunHooks cons
             throw rig::RunInterrupted();
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
+    if (x > options.number("memory_above"))
+        throw std::bad_alloc();
     if (x > options.number("throw_above"))
         throw std::runtime_error("no sphere fits");
 
     rig::RunResult result;
+    if (x > options.number("escape_above")) {
+        result.status = rig::RunStatus::escaped;
+        result.reason = "3 spheres have left";
+        return result;
+    }
+    if (x > options.number("hang_above")) { // a rig ends at its limit
+        auto const begin = std::chrono::steady_clock::now();
+        while (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() <
+               hooks.wall_time_limit)
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        result.status = rig::RunStatus::timed_out;
+        result.reason = "not done at its limit";
+        return result;
+    }
     result.status = rig::RunStatus::finished;
     result.responses = formula(input);
     if (x > options.number("nan_above"))
@@ -90,7 +107,10 @@ inline ensemble::Rigs const& formula_rigs()
         .options = {number("x", 0.5),
                     number("y", 0.5),
                     number("crash_above", 1e9),
+                    number("memory_above", 1e9),
                     number("throw_above", 1e9),
+                    number("escape_above", 1e9),
+                    number("hang_above", 1e9),
                     number("nan_above", 1e9),
                     {.key = "crash_signal", .default_value = std::int64_t{SIGKILL}, .doc = "how it dies"},
                     {.key = "milliseconds", .default_value = std::int64_t{0}, .doc = "how long it takes"}},

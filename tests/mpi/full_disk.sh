@@ -2,11 +2,8 @@
 # A full disk, here a small one in memory: a clear error that names the file, nothing half-written, no run blamed, and
 # the same command goes on when there is room.
 . "$(dirname "$0")/common.sh"
-if [ -z "${IN_NAMESPACE:-}" ] && ! (mkdir -p full-disk-probe && mount -t tmpfs none full-disk-probe && umount full-disk-probe && rmdir full-disk-probe) 2>/dev/null; then
-  # An ordinary user may mount in a name space of his own, where the system allows that.
-  unshare -rm true 2>/dev/null && IN_NAMESPACE=1 exec unshare -rm bash "$0" "$@"
-  echo "SKIPPED: a disk in memory can be mounted neither by mount nor in a name space of unshare"; exit 77
-fi
+. "$(dirname "$0")/own_disk.sh"
+can_mount || { echo "SKIPPED: a disk in memory can be mounted neither by mount nor in a name space of unshare"; exit 77; }
 enter_folder full-disk
 mkdir disk && mount -t tmpfs -o size=16m none disk || fail "cannot mount"
 trap 'umount disk' EXIT

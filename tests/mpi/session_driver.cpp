@@ -1,6 +1,8 @@
 // A small program around Session for tests that kill, stop or starve it: `session_driver COMMAND FILE.h5
 // [options]`.
-//   create FILE [TOML line...]   a new campaign; the lines go into the table of the first experiment
+//   create FILE [TOML line...]   a new campaign; the lines go into the table of the first experiment, from
+//   one
+//                                that begins a table on to the end of the file
 //   run FILE WAVES POINTS        (under mpirun) goes on until WAVES waves are complete
 //   overlap FILE WAVES POINTS    the same; each wave is planned while the one before is being run
 //   plan FILE POINTS             (under mpirun) plans the next wave and runs nothing
@@ -160,11 +162,11 @@ int alone(std::vector<std::string> const& arguments)
 {
     auto const& file = arguments.at(1);
     if (arguments[0] == "create") {
-        std::string options;
+        std::string options, sections;
         for (std::size_t i = 2; i < arguments.size(); ++i)
-            options += arguments[i] + "\n";
-        create_campaign_file(file,
-                             CampaignInput::from_text(formula_campaign(options), "driver", driver_rigs()));
+            (sections.empty() && !arguments[i].starts_with('[') ? options : sections) += arguments[i] + "\n";
+        create_campaign_file(
+            file, CampaignInput::from_text(formula_campaign(options, sections), "driver", driver_rigs()));
     } else if (arguments[0] == "dump") {
         dump(file);
     } else {
