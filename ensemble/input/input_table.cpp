@@ -118,7 +118,7 @@ OptionValues InputTable::read(std::vector<OptionSpec> const& specs,
 OptionValue InputTable::read_option(OptionSpec const& spec) const
 {
     auto const& node = *table_->get(spec.key);
-    auto const wrong_type = [&](char const* wanted) {
+    auto const wrong_type = [&](std::string const& wanted) {
         return error(spec.key, fmt::format("must be {}, not {} ({})", wanted, type_name(node), spec.doc));
     };
     auto const check_range = [&](double value) {
@@ -171,7 +171,9 @@ OptionValue InputTable::read_option(OptionSpec const& spec) const
         return values;
     }
     if (!node.is_string())
-        throw wrong_type("a word in quotes");
+        throw wrong_type(spec.choices.empty()
+                             ? "a word in quotes"
+                             : fmt::format("one of \"{}\"", fmt::join(spec.choices, "\", \"")));
     auto const value = *node.value<std::string>();
     check_choice(value);
     return value;

@@ -2,7 +2,7 @@
 
 function show_answers(parent) {
     if (!campaign.optimum) {
-        parent.append(element('p', {class: 'note'}, 'No answer yet: no wave has been analysed.'));
+        parent.append(element('p', {class: 'note'}, no_answer('answer')));
         return;
     }
     const cards = element('div', {class: 'answers'});

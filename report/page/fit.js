@@ -1,9 +1,16 @@
 // The best fit: factors, targets against simulated values, and how the campaign got there.
 
+// Why there is nothing to tell of what the runs have given.
+function no_answer(what) {
+    if (!campaign.ended) return `No ${what} yet: no wave has been analysed.`;
+    return finished_runs.length > 0 ? `No ${what}: too few runs have finished.`
+        : `No ${what}: none of the ${all_runs.length} runs has finished; why stands under Runs.`;
+}
+
 function show_fit(parent) {
     const optimum = campaign.optimum;
     if (!optimum) {
-        parent.append(element('p', {class: 'note'}, 'No best fit yet: no wave has been analysed.'));
+        parent.append(element('p', {class: 'note'}, no_answer('best fit')));
         return;
     }
     const repeated = optimum.repetitions > 1 ? `, simulated ${optimum.repetitions} times with different packings` : '';
@@ -206,7 +213,7 @@ function show_convergence(parent) {
     const best = points.filter((row) => row.off < least_so_far && (least_so_far = row.off) >= 0).map(({run, off}) => ({run, off}));
     if (best.length > 0) best.push({run: calibrating_runs.length, off: least_so_far});
     if (points.length === 0) {
-        parent.append(element('p', {class: 'note'}, 'Nothing to show yet: no wave has been analysed.'));
+        parent.append(element('p', {class: 'note'}, no_answer('convergence')));
         return;
     }
     const all = [...points, ...best].map((row) => row.off);

@@ -24,6 +24,22 @@ function count_marks(container) {
     return container.querySelectorAll(['path', 'line', 'text', 'rect'].map((tag) => shapes + tag).join(', ')).length;
 }
 
+// Ticks of a logarithmic axis as people write them: 1, 2, 5 and 10 times powers of ten, or these powers alone where there are many.
+function log_ticks(least, most) {
+    const first = Math.floor(Math.log10(least)), last = Math.ceil(Math.log10(most));
+    const steps = Math.log10(most / least) < 2.5 ? [1, 2, 5] : [1], ticks = [];
+    for (let power = first; power <= last; ++power)
+        for (const step of steps) ticks.push(Number(`${step}e${power}`));
+    return ticks.filter((tick) => tick >= least * (1 - 1e-9) && tick <= most * (1 + 1e-9));
+}
+
+function with_log_ticks(axis, scales) {
+    const scale = (scales || []).find((one) => one.name === axis.scale);
+    if (!scale || scale.type !== 'log') return axis;
+    const [least, most] = scale.nice ? scale.domain.map((end, i) => 10 ** (i ? Math.ceil : Math.floor)(Math.log10(end))) : scale.domain;
+    return {...axis, values: log_ticks(least, most)};
+}
+
 // Draws a specification into a new element of `parent`.
 function plot(parent, name, specification) {
     const title = specification.description || (specification.title && specification.title.text)
@@ -33,6 +49,8 @@ function plot(parent, name, specification) {
     // On a phone a plot is drawn narrower, not shrunk: its letters stay readable.
     const room = document.documentElement.clientWidth - 130;
     if (specification.width > room && room > 0) specification = {...specification, width: Math.max(160, room)};
+    if (specification.axes)
+        specification = {...specification, axes: specification.axes.map((one) => with_log_ticks(one, specification.scales))};
     const view = new vega.View(vega.parse({autosize: 'pad', padding: 4, ...specification}, plot_style),
                                {renderer: 'svg', container, hover: true});
     pending_plots.push(view.runAsync().then(() => {

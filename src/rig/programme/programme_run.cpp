@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,28 @@ namespace demens::rig {
 namespace {
 
 constexpr auto coefficients_of = "time of drifting coefficients"; // a note [s]
+
+//! Where the particle is that has left the domain, of several the first one; empty where none is seen
+//! outside.
+std::string place_outside(dem::Simulation& simulation)
+{
+    auto const &lower = simulation.options().domain_lower, &upper = simulation.options().domain_upper;
+    auto const view = simulation.read(dem::Fields::places);
+    std::optional<std::size_t> first;
+    for (std::size_t k = 0; k < view.size(); ++k) {
+        Vector3 const p = view.position(k);
+        bool const inside = p.x >= lower.x && p.y >= lower.y && p.z >= lower.z && p.x <= upper.x &&
+                            p.y <= upper.y && p.z <= upper.z;
+        if (!inside && (!first || view.id(k) < view.id(*first)))
+            first = k;
+    }
+    if (!first)
+        return "";
+    Vector3 const p = 1e3 * view.position(*first), from = 1e3 * lower, to = 1e3 * upper;
+    return fmt::format(" at ({:.4g}, {:.4g}, {:.4g}) mm, which reaches from ({:.4g}, {:.4g}, {:.4g}) to "
+                       "({:.4g}, {:.4g}, {:.4g}),",
+                       p.x, p.y, p.z, from.x, from.y, from.z, to.x, to.y, to.z);
+}
 
 Profile profile_of(ProfileReading const& reading, ProfileReading::Points points)
 {
@@ -339,7 +362,8 @@ void ProgrammeRun::check_health()
     case dem::Health::not_a_number:
         throw RunFailure(RunStatus::not_a_number, "a position or force is not a number " + moment());
     case dem::Health::escaped:
-        throw RunFailure(RunStatus::escaped, "a particle left the domain " + moment());
+        throw RunFailure(RunStatus::escaped,
+                         fmt::format("a particle left the domain{} {}", place_outside(simulation), moment()));
     case dem::Health::overlapping:
         throw RunFailure(RunStatus::overlapping,
                          fmt::format("two bodies overlap by more than {:.0f} % of the smaller radius{} {}",
