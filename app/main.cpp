@@ -67,8 +67,8 @@ void refuse_unknown_option(CLI::App const& program, std::vector<std::string> con
     for (auto const* option : command.get_options())
         for (auto const& name : option->get_lnames())
             names.push_back("--" + name);
-    for (auto const& word : left_over)
-        if (word.starts_with("--"))
+    for (auto const& given : left_over)
+        if (auto const word = given.substr(0, given.find('=')); word.starts_with("--"))
             throw InputError(fmt::format("{} is no option of {}; {}", word,
                                          &command == &program ? "demens without a subcommand"
                                                               : "\"" + command.get_name() + "\"",
@@ -118,6 +118,8 @@ int do_what_is_asked(int argc, char** argv)
         refuse_unknown_option(program, program.remaining(true));
         return program.exit(error) == 0 ? cli::success : cli::bad_input;
     } catch (CLI::ParseError const& error) {
+        if (error.get_exit_code() != 0) // else it asks for help
+            refuse_unknown_option(program, program.remaining(true));
         return program.exit(error) == 0 ? cli::success : cli::bad_input;
     }
 

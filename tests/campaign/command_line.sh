@@ -60,7 +60,7 @@ awk '$1 == "static_friction" { found = $2 } END { exit !(found > 0.199 && found 
 mkdir one
 cp impact.toml one/
 mpirun --oversubscribe -n 3 "$demens" one/impact.toml --log-level debug >/dev/null 2>told.txt
-runs=$("$demens" status one/impact.h5 --json | grep -oE '"planned":[0-9]+' | cut -d: -f2)
+runs=$("$demens" status one/impact.h5 --json | grep -oE '"planned":[0-9]+' | head -1 | cut -d: -f2)
 [ "$(grep -cE '^[0-9:.]+ rank [0-2]: run [0-9]+ of oblique, point [0-9]+, begins on group [0-2]; expected' told.txt)" = "$runs" ]
 [ "$(grep -cE '^[0-9:.]+ rank [0-2]: run [0-9]+ of oblique is finished after [0-9.]+ s$' told.txt)" = "$runs" ]
 rm one/impact.h5
@@ -84,6 +84,12 @@ grep -q '^  Froude number .* kept$' plan.txt
 grep -q '^  inertial number .* times 5$' plan.txt
 "$demens" --help >list.txt
 grep -q '75 .*run the same command again' list.txt
+
+# What is no option is told with what is meant, also where a required one is missing for it.
+! "$demens" replay impact.h5 --runn 3 2>said.txt
+grep -q -- '--runn is no option of "replay"; did you mean "--run"?' said.txt
+! "$demens" gap plan --jsn=1 impact.toml 2>said.txt
+grep -q -- '--jsn is no option of "plan"; did you mean "--json"?' said.txt
 
 # A subcommand's help is its own; the manual page and the completion of a shell know every option.
 if "$demens" try --help | grep 'exit codes'; then exit 1; fi
