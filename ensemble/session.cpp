@@ -31,9 +31,9 @@ bool is_stop_requested(MPI_Comm communicator)
 
 struct Session::Implementation
 {
-    Implementation(MPI_Comm parent, fs::path path, SessionOptions session_options)
+    Implementation(MPI_Comm parent, fs::path path, SessionOptions const& session_options)
         : communicator(Communicator::duplicate(parent)), file(std::move(path)), parts(file),
-          options(std::move(session_options))
+          options(session_options)
     {
         on_root(communicator, [&] {
             open_campaign(file); // a wrong file is refused before anything is made beside it

@@ -85,7 +85,8 @@ std::vector<std::string> RowWriter::all_texts(std::vector<std::string> const& lo
                        communicator_);
     }
     std::vector<std::string> texts;
-    for (std::size_t begin = 0, end; (end = all.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    for (std::size_t begin = 0, end = 0; (end = all.find('\n', begin)) != std::string::npos;
+         begin = end + 1) {
         auto text = all.substr(begin, end - begin);
         if (std::find(texts.begin(), texts.end(), text) == texts.end())
             texts.push_back(std::move(text));

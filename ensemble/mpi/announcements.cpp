@@ -23,7 +23,7 @@ void Announcements::send(Bytes bytes)
 Bytes Announcements::receive()
 {
     int size = 0;
-    MPI_Request request;
+    MPI_Request request = MPI_REQUEST_NULL;
     MPI_Ibcast(&size, 1, MPI_INT, 0, communicator_, &request);
     wait_patiently(request);
     Bytes bytes(static_cast<std::size_t>(size));

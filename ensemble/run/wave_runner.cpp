@@ -51,7 +51,7 @@ int Groups::from_first(int value) const
 {
     if (!team_)
         return value;
-    MPI_Request request;
+    MPI_Request request = MPI_REQUEST_NULL;
     MPI_Ibcast(&value, 1, MPI_INT, 0, group_, &request);
     wait_patiently(request);
     return value;
@@ -265,7 +265,7 @@ class WaveRunner::Pass
     //! Only the first rank of the group keeps what comes out; it comes out alike on all.
     void follow()
     {
-        for (int told; (told = runner_.groups_.from_first(nothing_more)) != nothing_more;)
+        for (int told = nothing_more; (told = runner_.groups_.from_first(nothing_more)) != nothing_more;)
             if (told == next_wave)
                 queue_.receive();
             else
