@@ -24,7 +24,7 @@ void in_parts(Data* data, std::size_t bytes, Transfer&& transfer)
 
 bool is_on_one_machine(MPI_Comm communicator)
 {
-    MPI_Comm here;
+    MPI_Comm here = MPI_COMM_NULL;
     MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
     bool const all = size_of(here) == size_of(communicator);
     MPI_Comm_free(&here);

@@ -23,7 +23,7 @@ void wait_patiently(MPI_Request& request)
 
 void patient_barrier(MPI_Comm communicator)
 {
-    MPI_Request request;
+    MPI_Request request = MPI_REQUEST_NULL;
     MPI_Ibarrier(communicator, &request);
     wait_patiently(request);
 }
