@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double widest_move = 0.35, narrowest_move = 0.01; // move limits, half widths in shares of the ranges
+constexpr double widest_move = 0.35,
+                 narrowest_move = 0.01; // move limits, half widths in shares of the ranges
 
 std::vector<std::unique_ptr<Surrogate>> local_quadratics(Assessment const& assessment, VectorXd const& centre,
                                                          double limit)
@@ -38,7 +39,8 @@ void take_response_surface_points(ensemble::Campaign const& campaign, Assessment
         return;
     auto const& cube = assessment.cube();
     auto const& objective = assessment.objective();
-    double const limit = std::max(narrowest_move, widest_move * std::pow(0.5, waves_in_vain(campaign, assessment)));
+    double const limit =
+        std::max(narrowest_move, widest_move * std::pow(0.5, waves_in_vain(campaign, assessment)));
     auto const fits = local_quadratics(assessment, best->unit, limit);
     VectorXd const lower = (best->unit.array() - limit).max(0), upper = (best->unit.array() + limit).min(1);
     auto inside = [&](VectorXd const& share) {
