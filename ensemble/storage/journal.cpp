@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -52,7 +53,11 @@ std::optional<Entry> parse(std::string const& line)
     } else if (entry.verb == "CRASH") {
         in >> entry.signal;
     } else if (entry.verb == "END") {
-        if (!(in >> std::hex >> entry.shard_crc >> std::dec))
+        std::string word;
+        in >> word;
+        auto const end = word.data() + word.size();
+        if (auto const read = std::from_chars(word.data(), end, entry.shard_crc, 16);
+            read.ec != std::errc() || read.ptr != end)
             return std::nullopt;
         if (int status = 0; in >> status)
             entry.status = status;
