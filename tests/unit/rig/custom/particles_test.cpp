@@ -280,21 +280,21 @@ TEST(CustomParticles, AShapeEntersAtTheClearanceOfItsLowestPoint)
             response("depth_m", "quantity = \"penetration\"\nof = \"probe\"\ntake = \"max\""),
         weightless + "series_interval_s = 0.001\n");
     EXPECT_NEAR(response_of(text + shapes, "depth_m"), -2e-3, 1e-9);
+}
 
-    TEST(CustomParticles, OneThatLeavesIsToldWithItsPlaceAndTheDomain)
-    {
-        auto const text =
-            custom_campaign(ball("place_mm = [0, 0, 0]\nvelocity_m_s = [2, 0, 0]") +
-                                stage("flight", "duration_s = 0.1") + response("n", "quantity = \"count\""),
-                            "gravity_m_s2 = [0, 0, 0]\ndomain_lower_mm = [-50, -60, -70]\n"
-                            "domain_upper_mm = [50, 60, 70]\n");
-        auto const result = run_custom(text);
-        EXPECT_EQ(result.status, rig::RunStatus::escaped);
-        EXPECT_THAT(
-            result.reason,
-            testing::MatchesRegex("a particle left the domain at \\([0-9.]+, 0, 0\\) mm, which reaches from "
-                                  "\\(-50, -60, -70\\) to \\(50, 60, 70\\), in stage \"flight\" at .* s"));
-    }
+TEST(CustomParticles, OneThatLeavesIsToldWithItsPlaceAndTheDomain)
+{
+    auto const text =
+        custom_campaign(ball("place_mm = [0, 0, 0]\nvelocity_m_s = [2, 0, 0]") +
+                            stage("flight", "duration_s = 0.1") + response("n", "quantity = \"count\""),
+                        "gravity_m_s2 = [0, 0, 0]\ndomain_lower_mm = [-50, -60, -70]\n"
+                        "domain_upper_mm = [50, 60, 70]\n");
+    auto const result = run_custom(text);
+    EXPECT_EQ(result.status, rig::RunStatus::escaped);
+    EXPECT_THAT(result.reason, testing::MatchesRegex(
+                                   "a particle left the domain at \\([0-9.]+, 0, 0\\) mm, which reaches from "
+                                   "\\(-50, -60, -70\\) to \\(50, 60, 70\\), in stage \"flight\" at .* s"));
+}
 
 TEST(CustomParticles, APackingKeepsOutOfAPolyhedron)
 {
