@@ -82,7 +82,6 @@ class ProgrammeRun
     void add_profiles(Look& look, ProfileReading::Over over);
     bool is_stage_over(Look& look);
     void end_stage(Look& look);
-    void check_health();
     Stage const& stage() const { return programme_.stages[bench_->progress.stage]; }
 
     Programme programme_;
