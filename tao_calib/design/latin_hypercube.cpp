@@ -85,7 +85,8 @@ Eigen::MatrixXi maximin_latin_hypercube(int points, int factors, std::uint64_t s
 {
     RandomStream random(seed);
     Eigen::MatrixXi best = random_latin_hypercube(points, factors, random);
-    if (points < 3 || factors < 2)
+    bool const is_too_large = 0.5 * points * points > pair_evaluations; // to be looked at even once
+    if (points < 3 || factors < 2 || is_too_large)
         return best;
 
     double best_phi = repulsion(best);

@@ -5,7 +5,8 @@
 namespace demens::tao_calib {
 
 //! Latin hypercube whose points keep as far apart as can be found: places 0 ... points-1, each once in every
-//! column [points x factors].
+//! column [points x factors]. Of more than 2,800 points a random one, since their distances are too many to
+//! look at.
 Eigen::MatrixXi maximin_latin_hypercube(int points, int factors, std::uint64_t seed);
 
 //! Smallest squared distance between two rows.

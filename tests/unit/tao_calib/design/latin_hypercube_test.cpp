@@ -46,6 +46,20 @@ TEST(LatinHypercube, EveryColumnIsAPermutation)
         EXPECT_EQ(std::set<int>(places.col(k).begin(), places.col(k).end()).size(), 17u);
 }
 
+TEST(LatinHypercube, VeryManyPointsAreOneTooAndTheirDistancesAreNotLookedAt)
+{
+    auto const places =
+        maximin_latin_hypercube(60000, 3, 1); // squares of their distances are no int any more
+    for (int k = 0; k < 3; ++k) {
+        std::vector<int> column(places.col(k).begin(), places.col(k).end());
+        std::sort(column.begin(), column.end());
+        EXPECT_EQ(column.front(), 0);
+        EXPECT_EQ(column.back(), 59999);
+        EXPECT_EQ(std::unique(column.begin(), column.end()), column.end());
+    }
+    EXPECT_NE(places.col(0), places.col(1));
+}
+
 TEST(LatinHypercube, SpreadsLogarithmicFactorsInTheLogarithm)
 {
     Factor modulus{"material.youngs_modulus", "youngs_modulus", 1e6, 1e8, true};
