@@ -5,7 +5,7 @@
 
 namespace demens::cli {
 
-//! What a program tells on its error stream while it works: words of `--log-level`.
+//! The word of `--log-level` that holds where none is given.
 inline constexpr char const* usual_log_level = "info";
 
 //! Adds `--log-level`. \param level receives the word

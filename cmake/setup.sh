@@ -52,7 +52,7 @@ install_packages()
     done
 }
 
-# Sources of a library are compiled up to forty at a time: what they all include is read once, which takes a third of the time.
+# Sources of a library are compiled up to forty at a time: what they all include is read once.
 together=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=40)
 
 # build TARGET OPTION...: configures the release preset with CMake's OPTIONs and builds the target.

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 #include <sys/stat.h>
 #include <thread>
 
@@ -34,10 +35,9 @@ struct flock lock_request(short type, off_t byte)
 //! Some network file systems have no locks; a campaign must run there all the same.
 void go_on_without(fs::path const& path, int error_number)
 {
-    fmt::print(
-        stderr,
-        "demens: warning: cannot lock {}: {}; this file system seems to have no locks: see to it that only "
-        "one session works on the campaign at a time\n",
+    spdlog::warn(
+        "cannot lock {}: {}; this file system seems to have no locks: see to it that only one session "
+        "works on the campaign at a time",
         path.string(), std::strerror(error_number));
 }
 

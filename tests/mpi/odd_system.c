@@ -19,29 +19,18 @@ int clock_gettime(clockid_t clock, struct timespec* time)
     return result;
 }
 
-static int lock_or_call(char const* name, int descriptor, int command, void* argument)
-{
-    if (getenv("ODD_LOCKS") && (command == F_OFD_SETLK || command == F_OFD_GETLK || command == F_SETLK)) {
-        errno = ENOLCK;
-        return -1;
-    }
-    return ((int (*)(int, int, ...))dlsym(RTLD_NEXT, name))(descriptor, command, argument);
-}
-
 int fcntl(int descriptor, int command, ...)
 {
     va_list list;
     va_start(list, command);
     void* argument = va_arg(list, void*);
     va_end(list);
-    return lock_or_call("fcntl", descriptor, command, argument);
+    if (getenv("ODD_LOCKS") && (command == F_OFD_SETLK || command == F_OFD_GETLK || command == F_SETLK)) {
+        errno = ENOLCK;
+        return -1;
+    }
+    return ((int (*)(int, int, ...))dlsym(RTLD_NEXT, "fcntl"))(descriptor, command, argument);
 }
 
-int fcntl64(int descriptor, int command, ...)
-{
-    va_list list;
-    va_start(list, command);
-    void* argument = va_arg(list, void*);
-    va_end(list);
-    return lock_or_call("fcntl64", descriptor, command, argument);
-}
+/* The name by which programs with large files call it. */
+int fcntl64(int descriptor, int command, ...) __attribute__((alias("fcntl")));
