@@ -131,6 +131,7 @@ std::vector<CatalogueEntry> const& catalogue()
         slot_width(),
         size_scale(),
         fines(),
+        shape(),
         grain_density(),
         wall_friction(),
         cover_friction(),

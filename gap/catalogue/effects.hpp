@@ -19,6 +19,7 @@ CatalogueEntry cover_motion();
 CatalogueEntry slot_width();
 CatalogueEntry size_scale();
 CatalogueEntry fines();
+CatalogueEntry shape();
 CatalogueEntry grain_density();
 CatalogueEntry wall_friction();
 CatalogueEntry cover_friction();

@@ -95,6 +95,11 @@ std::vector<std::string> Setup::given_in_experiments(std::string const& key) con
     return paths;
 }
 
+bool Setup::has_shapes() const
+{
+    return !input_->run_input({}, 0, 0, 0).shapes_of_sizes.empty();
+}
+
 double Setup::mean_radius() const
 {
     double sum = 0;

@@ -31,6 +31,8 @@ class Setup
     std::vector<std::string> given_in_experiments(std::string const& key) const;
     //! The same where the key is there, whatever its value.
     std::vector<std::string> in_experiments(std::string const& key) const;
+    //! Whether a size distribution has grains that are not spheres.
+    bool has_shapes() const;
     //! Radius of the grain of mean volume, of all size distributions [m]; 0 where none is named.
     double mean_radius() const;
     //! Density of the first grains [kg/m^3].

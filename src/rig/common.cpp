@@ -5,6 +5,7 @@
 #include "src/rig/option_specs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -82,9 +83,24 @@ grain::Grains grains_of(RunInput const& input, std::string const& name, shape::S
     return grains;
 }
 
+grain::GrainShape pair_of_spheres(double elongation)
+{
+    std::array<grain::Ball, 2> const balls = {{{{0, 0, -elongation}, 1}, {{0, 0, elongation}, 1}}};
+    return grain::grain_shape("elongated", balls, grain::SizeMeasure::equivalent);
+}
+
 grain::Grains grains_of(RunInput const& input)
 {
-    return grains_of(input, input.experiment.text("size_distribution"), size_distribution_of(input));
+    auto const& name = input.experiment.text("size_distribution");
+    auto const sizes = size_distribution_of(input);
+    double const elongation = input.experiment.number("elongation");
+    if (elongation == 0)
+        return grains_of(input, name, sizes);
+    if (input.shapes_of_sizes.count(name) != 0)
+        throw InputError(fmt::format("elongation = {:.4g} makes pairs of spheres out of spheres, and "
+                                     "size_distribution.{} has shapes of its own; leave one of them out",
+                                     elongation, name));
+    return {sizes, {{pair_of_spheres(elongation)}, {1}}};
 }
 
 dem::BodyBatch bodies_of(grain::Grains const& grains, std::vector<grain::Grain> const& sample,
@@ -161,6 +177,10 @@ OptionSpecs bed_options()
         number("tail_mass_fraction", 0,
                "share of the mass that fines, or a coarse tail, of one more diameter have [-]", 0.0, 0.9),
         number("tail_mm", 0, "their diameter [mm]", 0.0),
+        number("elongation", 0,
+               "spheres become grains of the same volume: two equal spheres in one body, their centres this "
+               "share of their diameter apart, so that a grain is 1 + elongation times as long as wide [-]",
+               0.0, 1.0),
         number("rest_s", 0, "the bed is left alone so long between its filling and what follows [s]", 0.0),
         number("skin", 0.3, "reach of the neighbour lists beyond contact over the radius of mean volume [-]",
                1e-3, 2.0)};

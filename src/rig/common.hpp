@@ -43,7 +43,10 @@ contact::PairProperties const& require_pair(contact::Model const& model, std::st
 shape::SizeDistribution size_distribution_of(RunInput const& input);
 //! The grains of a distribution: spheres, or what the input says.
 grain::Grains grains_of(RunInput const& input, std::string const& name, shape::SizeDistribution const& sizes);
-//! Those of the experiment's distribution.
+//! Two equal spheres in one body, their centres `elongation` (above 0, up to 1) diameters apart; its size is
+//! the diameter of the sphere of its volume.
+grain::GrainShape pair_of_spheres(double elongation);
+//! Those of the experiment's distribution, elongated where it says so. 	hrows InputError
 grain::Grains grains_of(RunInput const& input);
 //! \throws InputError where polyhedra would have laws that act where they do not overlap
 void check_laws_of_hulls(RunInput const& input);

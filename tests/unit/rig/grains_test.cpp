@@ -53,6 +53,23 @@ TEST(GrainsInRigs, ClumpOfOneSphereGivesTheSameBitsAsTheSphere)
     EXPECT_EQ(a.series.columns, b.series.columns);
 }
 
+TEST(GrainsInRigs, ElongatedSpheresAreTheClumpOfTheSameVolume)
+{
+    auto spheres = heap_of({});
+    spheres.shapes_of_sizes.clear();
+    auto elongated = spheres;
+    elongated.experiment.set("elongation", 0.3);
+    auto const pair = grain::grain_shape("pair", grain::Clump{{{0, 0, -0.3}, 1}, {{0, 0, 0.3}, 1}},
+                                         grain::SizeMeasure::equivalent);
+    auto const a = run("heap", elongated), b = run("heap", heap_of(only(pair)));
+    EXPECT_EQ(a.responses, b.responses);
+    EXPECT_NE(a.responses, run("heap", spheres).responses);
+    auto twice = heap_of(only(pair));
+    twice.experiment.set("elongation", 0.3);
+    EXPECT_NE(fault_of([&] { rig::find_rig("heap")->check(twice); }).find("leave one of them out"),
+              std::string::npos);
+}
+
 TEST(GrainsInRigs, DrumTurnsThemAndGoesOnFromARecordWithTheSameBits)
 {
     auto const input = drum_of(only(rod(2)));

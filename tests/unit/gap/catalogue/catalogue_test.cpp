@@ -165,7 +165,18 @@ TEST(Catalogue, EffectsOfTheOperationChangeWhatIsReported)
     EXPECT_DOUBLE_EQ(run_with("size_scale", 0.1, 1).experiment.number("size_factor"), 1.1);
     EXPECT_DOUBLE_EQ(run_with("fines", 0.2).experiment.number("tail_mass_fraction"), 0.2);
     EXPECT_DOUBLE_EQ(run_with("fines", 0.2).experiment.number("tail_mm"), 1.8);
+    EXPECT_DOUBLE_EQ(run_with("shape", 0.25, 2).experiment.number("elongation"), 0.25);
     EXPECT_DOUBLE_EQ(run_with("grain_density", 0.1).model.materials[0].density, 2750);
+}
+
+TEST(Catalogue, ShapeIsOfferedWhereGrainsAreSpheres)
+{
+    auto text = campaign();
+    text.replace(text.find("mass_fraction = [1]"), 19,
+                 "mass_fraction = [1]\nshapes = [\"pair\"]\n[shape.pair]\nsize = \"volume_equivalent\"\n"
+                 "spheres = [[0, 0, -1, 1], [0, 0, 1, 1]]");
+    auto const all = candidates_of(CampaignInput::from_text(text, "test"));
+    EXPECT_TRUE(std::none_of(all.begin(), all.end(), [](auto const& c) { return c.effect.name == "shape"; }));
 }
 
 TEST(Catalogue, EffectsOfWallsChangeTheirOwnPairsAlone)
