@@ -149,8 +149,8 @@ rig::RunInput CampaignInput::run_input(std::vector<double> const& factor_values,
     input::set_factors(base, factor_values);
     input::apply(overrides, base, experiments);
     auto run = input::make_run_input(base, experiment, run_seed(point, experiment, replicate));
-    if (auto const& check = experiments.at(static_cast<std::size_t>(experiment)).rig->check)
-        check(run);
+    input::check_run(*experiments.at(static_cast<std::size_t>(experiment)).rig, run,
+                     this->run.ranks_per_group);
     return run;
 }
 

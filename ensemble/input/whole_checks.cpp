@@ -143,13 +143,9 @@ std::string refusal(CampaignInput const& input, BaseInput const& base, std::size
                     Point const& point)
 {
     try {
-        auto const run = make_run_input(base, point, static_cast<int>(experiment), input.seed);
-        if (auto const& check = input.experiments[experiment].rig->check)
-            check(run);
-        // What several ranks cannot share.
-        if (auto const& describe = input.experiments[experiment].rig->describe;
-            describe && input.run.ranks_per_group > 1)
-            rig::programme_of(*input.experiments[experiment].rig, run, input.run.ranks_per_group);
+        check_run(*input.experiments[experiment].rig,
+                  make_run_input(base, point, static_cast<int>(experiment), input.seed),
+                  input.run.ranks_per_group);
     } catch (InputError const& error) {
         return error.what();
     }
@@ -175,6 +171,14 @@ int ranks_that_can_share(CampaignInput const& input, BaseInput const& base, std:
 }
 
 } // namespace
+
+void check_run(rig::RigInfo const& rig, rig::RunInput const& run, int ranks)
+{
+    if (rig.check)
+        rig.check(run);
+    if (rig.describe && ranks > 1)
+        rig::programme_of(rig, run, ranks);
+}
 
 int ranks_that_pay(CampaignInput const& input, BaseInput const& base)
 {

@@ -6,6 +6,8 @@ namespace demens::ensemble::input {
 
 //! What sections must satisfy together: design and factors, targets, budget. \throws InputError
 void check_sections(InputTable const& file, CampaignInput const& input);
+//! What a rig has against a run, or against sharing it among so many ranks. \throws InputError
+void check_run(rig::RigInfo const& rig, rig::RunInput const& run, int ranks);
 //! Ranks that share a run, where the campaign leaves it open: 10,000 particles of the largest experiment
 //! each, at its base values, and no more than every rig can be shared by.
 int ranks_that_pay(CampaignInput const& input, BaseInput const& base);

@@ -169,14 +169,19 @@ TEST(Catalogue, EffectsOfTheOperationChangeWhatIsReported)
     EXPECT_DOUBLE_EQ(run_with("grain_density", 0.1).model.materials[0].density, 2750);
 }
 
-TEST(Catalogue, ShapeIsOfferedWhereGrainsAreSpheres)
+TEST(Catalogue, ShapeIsOfferedWhereGrainsAreSpheresOfOneRank)
 {
-    auto text = campaign();
-    text.replace(text.find("mass_fraction = [1]"), 19,
-                 "mass_fraction = [1]\nshapes = [\"pair\"]\n[shape.pair]\nsize = \"volume_equivalent\"\n"
-                 "spheres = [[0, 0, -1, 1], [0, 0, 1, 1]]");
-    auto const all = candidates_of(CampaignInput::from_text(text, "test"));
-    EXPECT_TRUE(std::none_of(all.begin(), all.end(), [](auto const& c) { return c.effect.name == "shape"; }));
+    auto const offered = [](std::string const& text) {
+        auto const all = candidates_of(CampaignInput::from_text(text, "test"));
+        return std::any_of(all.begin(), all.end(), [](auto const& c) { return c.effect.name == "shape"; });
+    };
+    auto pairs = campaign();
+    pairs.replace(pairs.find("mass_fraction = [1]"), 19,
+                  "mass_fraction = [1]\nshapes = [\"pair\"]\n[shape.pair]\nsize = \"volume_equivalent\"\n"
+                  "spheres = [[0, 0, -1, 1], [0, 0, 1, 1]]");
+    EXPECT_TRUE(offered(campaign()));
+    EXPECT_FALSE(offered(pairs));
+    EXPECT_FALSE(offered(campaign() + "[run]\nranks_per_group = 2\n"));
 }
 
 TEST(Catalogue, EffectsOfWallsChangeTheirOwnPairsAlone)
