@@ -199,6 +199,23 @@ TEST(RoundedHull, KeepsCornersOfManyFacesTogether)
     }
 }
 
+TEST(Hull, PlanesFollowFromItsCornersToTheBit)
+{
+    auto const given = convex_hull(spiral(14, 0.7), "ore");
+    Quaternion const turn = quaternion_about(Vector3{0.3, -0.2, 0.5});
+    for (Hull const& hull :
+         {given.scaled(0.37), given.seen_from({0.1, 0.2, 0}, turn), given.scaled(3).scaled(0.1)}) {
+        std::vector<std::vector<std::uint16_t>> loops;
+        for (HullFace const& face : hull.faces())
+            loops.emplace_back(hull.corners(face).begin(), hull.corners(face).end());
+        Hull const again(hull.vertices(), loops);
+        for (std::size_t f = 0; f < loops.size(); ++f) {
+            EXPECT_EQ(again.faces()[f].normal, hull.faces()[f].normal);
+            EXPECT_EQ(again.faces()[f].offset, hull.faces()[f].offset);
+        }
+    }
+}
+
 TEST(RoundedHull, FacesThatNoBallReachesAreGone)
 {
     // A cube of side 2 without the tip of one corner: the cut lies within what rounding takes.
