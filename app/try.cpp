@@ -75,8 +75,7 @@ void print_plan(ensemble::Experiment const& experiment, rig::RunInput const& inp
     constexpr double usual_rate = 1e7; // particle steps a second of one core, of a few thousand spheres
     auto const programme = experiment.rig->describe(input);
     auto const apparatus = programme.build();
-    double const steps = programme.expected_duration / programme.time_step,
-                 cost = programme.expected_particles * steps;
+    double const steps = programme.expected_duration / programme.time_step, cost = programme.expected_work();
     fmt::print("  particles        about {:.0f}\n", programme.expected_particles);
     fmt::print("  time step        {:.3g} s; about {:.3g} s simulated, {:.3g} steps\n", programme.time_step,
                programme.expected_duration, steps);

@@ -184,6 +184,17 @@ double Grains::looseness() const
     return sum;
 }
 
+double Grains::work_per_grain() const
+{
+    double work = 0, number = 0;
+    for (Kind const& kind : kinds_) {
+        double const of_kind = kind.share * kind.sizes.spheres_per_volume();
+        number += of_kind;
+        work += of_kind * step_work(kind.shape.shape.get());
+    }
+    return work / number;
+}
+
 std::vector<Grain> Grains::sample_mass(double mass, double density, RandomStream& random) const
 {
     return joined(kinds_.size(), random, [&](std::uint32_t k) {

@@ -48,6 +48,15 @@ inline double smallest_ball(BodyShape const* shape)
     return !shape || shape->is_hull() ? 1 : shape->smallest();
 }
 
+//! What a step of a grain in a bed takes over one of a sphere, about: as beds of `tests/bench` show, where
+//! spheres of clumps take twice as long as free ones. \param shape none: a sphere
+inline double step_work(BodyShape const* shape)
+{
+    if (!shape || shape->is_sphere())
+        return 1;
+    return shape->is_hull() ? 15 : 2 * static_cast<double>(shape->balls.size());
+}
+
 //! Of a clump in any axes and of any size. \throws InputError as `check`
 BodyShape body_shape(std::span<Ball const> clump, std::string const& origin);
 //! Of a rounded hull. Its balls are those of its corners and some that fill it (`outline`).

@@ -82,6 +82,9 @@ class Grains
     //! the ball that holds it; of hulls, which are put as such balls, its third power [-].
     double looseness() const;
 
+    //! What a step of a mean grain takes over one of a sphere, about (`step_work`).
+    double work_per_grain() const;
+
     //! Grains that make up the mass [kg], as `shape::SizeDistribution::sample_mass`.
     std::vector<Grain> sample_mass(double mass, double density, RandomStream& random) const;
     //! As `shape::sample_whole`. \throws InputError

@@ -27,6 +27,7 @@ Programme describe(RunInput const& input)
         .time_step = setup->options.time_step,
         .steps_per_look = std::max<std::int64_t>(1, std::llround(setup->interval / setup->options.time_step)),
         .expected_particles = setup->expected_particles(),
+        .work_per_particle = setup->work_per_particle(),
         .expected_duration = setup->longest_duration(),
         .has_rigid_bodies = setup->has_rigid_bodies(),
         .removes_particles = !setup->outlets.empty()};

@@ -222,12 +222,24 @@ double ParticleGroup::largest() const
     return diameter;
 }
 
-double ParticleGroup::expected_count(double density) const
+double Packing::batches_within(double duration) const
+{
+    return every > 0 ? std::min<double>(batches, 1 + std::floor(duration / every)) : 1;
+}
+
+double ParticleGroup::work_per_grain() const
+{
+    if (auto const* packing = std::get_if<Packing>(&source))
+        return packing->grains->work_per_grain();
+    return grain::step_work(std::get<ParticleTable>(source).bodies.front().shape.get());
+}
+
+double ParticleGroup::expected_count(double density, double duration) const
 {
     if (auto const* packing = std::get_if<Packing>(&source)) {
-        double const mass = packing->mass * packing->batches;
+        double const batches = packing->batches_within(duration), mass = packing->mass * batches;
         if (packing->count > 0)
-            return static_cast<double>(packing->count * packing->batches);
+            return static_cast<double>(packing->count) * batches;
         if (!packing->grains->are_spheres())
             return mass / density * packing->grains->per_volume();
         double per_mass = 0; // mean of 1/m over the mass

@@ -27,6 +27,9 @@ struct Packing
     int batches = 1;                                   //!< so often
     double every = 0;                                  //!< [s] from one batch to the next
     std::string where = {};                            //!< its table in messages
+
+    //! How many batches enter within so long [s].
+    double batches_within(double duration) const;
 };
 
 //! Particles that enter together.
@@ -46,7 +49,9 @@ struct ParticleGroup
     bool have_hulls() const; //!< among them
     double smallest() const; //!< diameter [m]; of other grains that of their smallest sphere
     double largest() const;  //!< diameter of what holds a grain [m]
-    double expected_count(double density) const;
+    //! \param duration of its stage at most, in which an inlet enters [s]
+    double expected_count(double density, double duration) const;
+    double work_per_grain() const;   //!< of a step, over a sphere's
     shape::BoxRegion bounds() const; //!< of where they enter
 };
 

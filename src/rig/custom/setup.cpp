@@ -23,7 +23,7 @@ void check_pairs(Setup const& setup)
 {
     std::map<std::string, double> particles;
     for (auto const& group : setup.groups)
-        particles[group.material] += group.expected_count(setup.density(group));
+        particles[group.material] += setup.expected_count(group);
     for (auto const& [material, count] : particles) {
         for (auto const& [other, other_count] : particles)
             if (material < other || (material == other && count > 1))
@@ -31,20 +31,6 @@ void check_pairs(Setup const& setup)
         for (auto const& wall : setup.walls)
             require_pair(setup.model, material, wall.material);
     }
-}
-
-//! \throws InputError where polyhedra would touch a mesh
-void check_hulls(Setup const& setup)
-{
-    bool const have_hulls = std::any_of(setup.groups.begin(), setup.groups.end(),
-                                        [](auto const& group) { return group.have_hulls(); });
-    for (auto const& wall : setup.walls)
-        for (auto const& part : wall.parts)
-            if (have_hulls && std::holds_alternative<dem::Mesh>(part.shape))
-                throw InputError(
-                    fmt::format("the wall {} is a mesh, which polyhedra ([shape.NAME]) do not touch; make it "
-                                "of planes, discs, cylinders or cones, or the grains of spheres",
-                                wall.name));
 }
 
 //! Time step for the particles that need the smallest.
@@ -162,7 +148,6 @@ Setup::Setup(RunInput const& input)
     options.periodic = periods_of(*this, input.experiment, box);
     span_planes(walls, box);
     check_meshes(*this);
-    check_hulls(*this);
     for (auto const& stage : stages)
         for (auto const& wall : stage.walls_on)
             if (lists(stage.walls_off, wall))
@@ -200,8 +185,21 @@ double Setup::expected_particles() const
 {
     double sum = 0;
     for (auto const& group : groups)
-        sum += group.expected_count(density(group));
+        sum += expected_count(group);
     return sum;
+}
+
+double Setup::work_per_particle() const
+{
+    double work = 0;
+    for (auto const& group : groups)
+        work += expected_count(group) * group.work_per_grain();
+    return work / expected_particles();
+}
+
+double Setup::expected_count(ParticleGroup const& group) const
+{
+    return group.expected_count(density(group), stages[group.stage].duration);
 }
 
 } // namespace demens::rig::custom

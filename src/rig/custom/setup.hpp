@@ -34,8 +34,10 @@ struct Setup
     //! Whether a wall is there in a stage.
     bool is_on(WallPlan const& wall, std::size_t stage) const;
     double longest_duration() const; // [s]
+    double expected_count(ParticleGroup const& group) const;
     double expected_particles() const;
-    bool has_rigid_bodies() const; // grains of several spheres
+    double work_per_particle() const; // over a sphere's
+    bool has_rigid_bodies() const;    // grains of several spheres
 };
 
 } // namespace demens::rig::custom

@@ -211,6 +211,7 @@ Programme describe(RunInput const& input)
                         .steps_per_look =
                             std::max<std::int64_t>(1, std::llround(rig.interval / rig.time_step)),
                         .expected_particles = rig.expected_particles(),
+                        .work_per_particle = rig.grains.work_per_grain(),
                         .expected_duration = rig.expected_duration(),
                         .has_rigid_bodies = !rig.grains.are_spheres()};
     programme.check = [setup] { return size_warnings(setup->grains, setup->mass, setup->density); };

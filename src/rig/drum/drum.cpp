@@ -161,6 +161,7 @@ Programme describe(RunInput const& input)
     Programme programme{.time_step = setup->time_step,
                         .steps_per_look = sampling.steps_per_look,
                         .expected_particles = setup->expected_particles(),
+                        .work_per_particle = setup->grains.work_per_grain(),
                         .expected_duration = setup->expected_duration(),
                         .seed = derive_seed(setup->seed, 2),
                         .has_rigid_bodies = !setup->grains.are_spheres()};

@@ -148,6 +148,7 @@ Programme describe(RunInput const& input)
                         .steps_per_look =
                             std::max<std::int64_t>(1, std::llround(setup->interval / setup->time_step)),
                         .expected_particles = setup->expected_particles(),
+                        .work_per_particle = setup->grains.work_per_grain(),
                         .expected_duration = setup->expected_duration(),
                         .has_rigid_bodies = !setup->grains.are_spheres()};
     programme.check = [setup] { return size_warnings(setup->grains, setup->mass, setup->density); };

@@ -106,7 +106,7 @@ RigInfo described(RigInfo rig)
     };
     rig.predict_cost = [describe](RunInput const& input) {
         auto const programme = describe(input);
-        return programme.expected_particles * programme.expected_duration / programme.time_step;
+        return programme.expected_work();
     };
     rig.run = [rig](RunInput const& input, RunHooks const& hooks) {
         std::optional<Programme> programme;

@@ -91,6 +91,17 @@ TEST(Grains, OfSpheresAreThoseOfTheirDistribution)
         EXPECT_EQ(sample[k].diameter, diameters[k]);
 }
 
+TEST(Grains, CostMoreThanSpheresByWhatTheyAreMadeOf)
+{
+    auto const pair = grain_shape("pair", rod(2), SizeMeasure::equivalent);
+    auto const cube = grain_shape("cube", rounded(cube_hull(1), 0.03, "cube"), SizeMeasure::equivalent);
+    EXPECT_EQ(Grains(one_size(1e-3)).work_per_grain(), 1);
+    EXPECT_EQ(Grains(one_size(1e-3), {{pair}, {1}}).work_per_grain(), 4);
+    EXPECT_EQ(Grains(one_size(1e-3), {{cube}, {1}}).work_per_grain(), 15);
+    EXPECT_DOUBLE_EQ(Grains(one_size(1e-3), {{pair, {"sphere", nullptr, 1}}, {0.25, 0.75}}).work_per_grain(),
+                     0.25 * 4 + 0.75);
+}
+
 TEST(Grains, HaveTheMassThatIsAskedForByTheVolumeOfTheUnion)
 {
     // 1000 rods of balls 1 mm across.

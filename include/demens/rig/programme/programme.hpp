@@ -88,6 +88,7 @@ struct Programme
     double time_step = 0;            //!< [s]
     std::int64_t steps_per_look = 1; //!< how often conditions are asked, readings taken, the health checked
     double expected_particles = 1;
+    double work_per_particle = 1; //!< what a step of one takes over one of a sphere in a bed, about
     double expected_duration = 0; //!< [s]
     std::uint64_t seed = 0;       //!< of the random numbers that stages draw
     EngineChoice engine = EngineChoice::cpu;
@@ -109,6 +110,10 @@ struct Programme
     //! Makes what stands there at first. \throws InputError
     std::function<Apparatus()> build = {};
 
+    double expected_work() const //!< [steps of a sphere]
+    {
+        return expected_particles * work_per_particle * expected_duration / time_step;
+    }
     EngineNeeds needs(bool with_team) const { return {with_team, has_rigid_bodies, removes_particles}; }
 };
 

@@ -37,6 +37,17 @@ TEST(CustomInlet, GivesItsBatchesInTime)
         << "without an inlet";
 }
 
+TEST(CustomInlet, IsExpectedToGiveWhatItsStageHasTimeFor)
+{
+    auto const expected = [](std::string const& duration) {
+        auto const input = read_custom(
+            inlet("batches = 400\nevery_s = 0.1", stage("fall", "duration_s = " + duration) + number));
+        return input.experiments[0].rig->describe(input.run_input({0.25}, 0, 0, 0)).expected_particles;
+    };
+    EXPECT_EQ(expected("0.15"), 20);
+    EXPECT_EQ(expected("1000.0"), 4000);
+}
+
 TEST(CustomInlet, EndsWithItsStage)
 {
     auto const until = stage("fall", "duration_s = 1\nuntil = \"count\"\nregion = \"below\"\nabove = 12") +
