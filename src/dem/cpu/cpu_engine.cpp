@@ -64,8 +64,6 @@ IdRange CpuEngine::add(BodyBatch const& bodies)
 
 void CpuEngine::require_hulls(Params const& params) const
 {
-    for (Wall const& wall : state_.walls.all())
-        HullWallFinder::require_hulls(wall.shape);
     for (auto const& laws : params.laws)
         if (contact::range_of(laws, 1).gap > 0)
             throw InputError(
@@ -157,8 +155,6 @@ WallId CpuEngine::add(Wall const& wall)
 {
     DEMENS_EXPECT(wall.material.value < params_->materials.size(), "a material of the model");
     materials_.wall_enters(*params_, wall.material);
-    if (!state_.bodies.hull_shapes.empty())
-        HullWallFinder::require_hulls(wall.shape);
     note_change();
     state_.wall_loads.push_back({});
     return state_.walls.add(wall);
@@ -166,8 +162,6 @@ WallId CpuEngine::add(Wall const& wall)
 
 void CpuEngine::place(WallId wall, WallShape const& shape)
 {
-    if (!state_.bodies.hull_shapes.empty())
-        HullWallFinder::require_hulls(shape);
     note_change();
     state_.walls.place(wall, shape);
 }

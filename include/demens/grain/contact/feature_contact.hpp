@@ -22,6 +22,7 @@ DEMENS_INLINE DEMENS_FUNCTION std::uint32_t feature_id(ContactFeature kind, std:
 {
     return static_cast<std::uint32_t>(kind) << 24 | a << 12 | b;
 }
+constexpr std::uint32_t features_of_second = 1U << 12; //!< how many numbers those of the second have
 
 //! One place where two rounded hulls touch, or one and a wall.
 struct FeatureContact

@@ -3,6 +3,7 @@
 #include "demens/contact/evaluation/loads.hpp"
 #include "src/dem/cpu/law_stages.hpp"
 #include "src/dem/cpu/wall_work.hpp"
+#include "src/dem/wall_offset.hpp"
 
 #include <algorithm>
 
@@ -216,23 +217,34 @@ void HullLoop::take_histories(HullContactList& list, Range const& old, std::size
     auto const size = static_cast<std::size_t>(list.state_size);
     auto const take = [&](std::size_t to, auto const& suits) {
         for (std::size_t from = old.first; from < old.end; ++from)
-            if (list.contacts[from].feature == now_.contacts[to].feature &&
-                suits(list.contacts[from].pair, now_.contacts[to].pair)) {
+            if (list.contacts[from].feature != gone_on && suits(list.contacts[from], now_.contacts[to])) {
                 std::copy_n(list.history(from), size, now_.history(to));
                 list.contacts[from].feature = gone_on;
                 return true;
             }
         return false;
     };
+    // Contacts with a mesh may have a feature in common: a vertex in a valley touches both of its sides.
+    auto const is_with_mesh = [&](HullContact const& c) { return places_[c.pair - first_pair].with_mesh; };
     without_history_.clear();
     for (std::size_t to = first_new; to < now_.contacts.size(); ++to)
-        if (!take(to, [](std::uint32_t a, std::uint32_t b) { return a == b; }))
+        if (!take(to, [&](HullContact const& a, HullContact const& b) {
+                return a.feature == b.feature && a.pair == b.pair &&
+                       (!is_with_mesh(b) || is_like(a.apart, b.apart));
+            }))
             without_history_.push_back(to);
-    if (places_.size() > 1) // from one wall to the next of the same plane
-        for (std::size_t const to : without_history_)
-            take(to, [&](std::uint32_t a, std::uint32_t b) {
-                return seams_.are_of_one_plane(a - first_pair, b - first_pair);
+    for (std::size_t const to : without_history_) {
+        if (is_with_mesh(now_.contacts[to])) // from one of its edges or corners to the next
+            take(to, [](HullContact const& a, HullContact const& b) {
+                return (a.feature ^ b.feature) < grain::features_of_second && a.pair == b.pair &&
+                       is_like(a.apart, b.apart);
             });
+        else if (places_.size() > 1) // from one wall to the next of the same plane
+            take(to, [&](HullContact const& a, HullContact const& b) {
+                return a.feature == b.feature &&
+                       seams_.are_of_one_plane(a.pair - first_pair, b.pair - first_pair);
+            });
+    }
     for (std::size_t from = old.first; from < old.end; ++from)
         if (HullContact const& contact = list.contacts[from]; contact.feature != gone_on) {
             parted_.contacts.push_back(at_touch(contact, places_[contact.pair - first_pair]));
@@ -247,9 +259,11 @@ HullPairPlace HullLoop::find_places(Params const& params, State& state, HullCont
     HullPair& pair = list.pairs[number];
     Place const& a = state.particles.place[pair.first];
     HullParty const& first = parties_.hull(state.particles, pair.first);
-    HullPairPlace place{first.pose.place, {}, first.ball, 0, list.with_walls};
+    HullPairPlace place{first.pose.place, {}, first.ball, 0, list.with_walls, false};
     if (list.with_walls) {
-        walls_.find(first, a.radius, state.walls.all()[pair.second].shape, pair.second, pair.memory, set_);
+        WallShape const& wall = state.walls.all()[pair.second].shape;
+        place.with_mesh = std::holds_alternative<Mesh>(wall);
+        state.overlapping |= walls_.find(first, a.radius, wall, pair.second, pair.memory, set_);
         return place;
     }
     HullParty const& second = parties_.any(state.particles, pair.second);

@@ -12,7 +12,7 @@ struct HullPairPlace
 {
     Vector3 first, second;          //!< centres of the bodies [m]
     double ball_first, ball_second; //!< radii of the balls that stand for them [m]
-    bool with_wall;
+    bool with_wall, with_mesh;
 
     double touching() const { return with_wall ? ball_first : ball_first + ball_second; }
 };

@@ -1,6 +1,5 @@
 #include "src/dem/cpu/hulls/hull_wall_finder.hpp"
 
-#include "demens/base/error.hpp"
 #include "demens/grain/contact/wall_contacts.hpp"
 
 #include <algorithm>
@@ -104,14 +103,6 @@ void find_round(grain::ContactSet& set, HullParty const& hull, double reach, Sha
 
 } // namespace
 
-void HullWallFinder::require_hulls(WallShape const& shape)
-{
-    if (std::holds_alternative<Mesh>(shape))
-        throw InputError(
-            "polyhedra do not touch walls that are meshes: give planes, discs, cylinders or cones, or "
-            "grains made of spheres");
-}
-
 std::size_t HullWallFinder::corners_of(WallShape const& shape)
 {
     return std::holds_alternative<Rectangle>(shape) ? 4
@@ -119,9 +110,11 @@ std::size_t HullWallFinder::corners_of(WallShape const& shape)
                                                     : 1;
 }
 
-void HullWallFinder::find(HullParty const& hull, double reach, WallShape const& shape, std::uint32_t wall,
+bool HullWallFinder::find(HullParty const& hull, double reach, WallShape const& shape, std::uint32_t wall,
                           grain::PairMemory& memory, grain::ContactSet& set)
 {
+    if (auto const* mesh = std::get_if<Mesh>(&shape))
+        return meshes_.find(hull, reach, *mesh, wall, set);
     set.count = 0;
     set.state = grain::CoreState::apart;
     Vector3 const& centre = hull.pose.place;
@@ -155,6 +148,7 @@ void HullWallFinder::find(HullParty const& hull, double reach, WallShape const& 
         }
     };
     std::visit(find_in, shape);
+    return false;
 }
 
 void HullWallFinder::find_flat(HullParty const& hull, FlatWall const& flat, std::uint32_t wall,

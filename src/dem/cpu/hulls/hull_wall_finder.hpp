@@ -2,6 +2,7 @@
 
 #include "demens/dem/wall.hpp"
 #include "demens/grain/contact/hull_contacts.hpp"
+#include "src/dem/cpu/hulls/hull_mesh_finder.hpp"
 #include "src/dem/cpu/hulls/hull_party.hpp"
 
 #include <memory>
@@ -15,17 +16,15 @@ namespace demens::dem {
 //! vertices, each a ball of the rounding's radius. Near its edge a flat wall is a polygon without rounding, a
 //! disc one of 48 sides. Outer sides and rims of cylinders and cones are touched by vertices and, where an
 //! edge or a face is nearer than these, in the nearest place. Of the four sides of a round wall only
-//! `RoundSide::near` touches hulls.
+//! `RoundSide::near` touches hulls. Meshes: see `HullMeshFinder`.
 class HullWallFinder
 {
   public:
-    //! \throws InputError for a shape that hulls cannot touch: a mesh
-    static void require_hulls(WallShape const& shape);
-
     //! Corners of the polygon that a wall is near its edge: those that a memory may name.
     static std::size_t corners_of(WallShape const& shape);
 
-    void find(HullParty const& hull, double reach, WallShape const& shape, std::uint32_t wall,
+    //! \return whether a mesh cuts the core, which is no contact any more
+    bool find(HullParty const& hull, double reach, WallShape const& shape, std::uint32_t wall,
               grain::PairMemory& memory, grain::ContactSet& set);
 
   private:
@@ -48,6 +47,7 @@ class HullWallFinder
     grain::Hull const& polygon(FlatWall const& flat, std::uint32_t wall);
 
     std::vector<Polygon> polygons_; //!< by wall
+    HullMeshFinder meshes_;
     grain::Hull point_ = grain::point_hull();
 };
 
