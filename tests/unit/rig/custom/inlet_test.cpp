@@ -1,4 +1,5 @@
 // Packings that enter again and again.
+#include "demens/rig/programme/programme.hpp"
 #include "tests/unit/rig/custom/custom_campaign.hpp"
 
 #include <gmock/gmock.h>
