@@ -12,7 +12,7 @@ CatalogueEntry gate()
             .typical = 0.3,
             .sign = ensemble::EffectSign::positive,
             .settings = [](Setup const& setup) {
-                auto settings = scaled(setup.in_experiments("gate_speed_m_s"), -1);
+                auto settings = scaled(setup.given_in_experiments("gate_speed_m_s"), -1);
                 for (auto& setting : scaled(setup.in_experiments("lift_speed_m_s"), -1))
                     settings.push_back(std::move(setting));
                 return settings;

@@ -14,12 +14,13 @@ namespace {
 
 using drawdown::Setup;
 
-//! Numbers of the walls that move or go, in the order in which `walls` gives them.
-enum MovingWall : std::uint32_t
+constexpr double least_filling_friction = 0.01; //!< to which it is lowered for a bed that lies too high [-]
+
+//! Numbers of the gate's halves, in the order in which `walls` gives them.
+enum GateHalf : std::uint32_t
 {
     gate_left = 9,
-    gate_right,
-    lid
+    gate_right
 };
 
 std::vector<dem::Wall> walls(Setup const& rig, double top)
@@ -55,27 +56,24 @@ std::vector<dem::Wall> walls(Setup const& rig, double top)
     };
     // The gate slides in two halves just below the floor.
     double const gate_z = -0.05 * rig.grains.smallest_ball();
-    std::vector<dem::Wall> all = {window(-0.5 * rig.depth),
-                                  window(0.5 * rig.depth),
-                                  floor(-half - beyond, -half_slot, 0),
-                                  floor(half_slot, half + beyond, 0),
-                                  side(-half, 0, top),
-                                  side(half, 0, top),
-                                  floor(-widest, widest, -rig.drop),
-                                  side(-half_lower, -rig.drop, 0),
-                                  side(half_lower, -rig.drop, 0),
-                                  floor(-half_slot - beyond, 0, gate_z),
-                                  floor(0, half_slot + beyond, gate_z),
-                                  floor(-half, half, top)};
-    all[lid].active = false;
-    return all;
+    return {window(-0.5 * rig.depth),
+            window(0.5 * rig.depth),
+            floor(-half - beyond, -half_slot, 0),
+            floor(half_slot, half + beyond, 0),
+            side(-half, 0, top),
+            side(half, 0, top),
+            floor(-widest, widest, -rig.drop),
+            side(-half_lower, -rig.drop, 0),
+            side(half_lower, -rig.drop, 0),
+            floor(-half_slot - beyond, 0, gate_z),
+            floor(0, half_slot + beyond, gate_z)};
 }
 
 //! In the order of the walls.
 std::vector<std::string> wall_names()
 {
     return {"front",       "back",       "upper_floor_left", "upper_floor_right", "upper_left", "upper_right",
-            "lower_floor", "lower_left", "lower_right",      "gate_left",         "gate_right", "lid"};
+            "lower_floor", "lower_left", "lower_right",      "gate_left",         "gate_right"};
 }
 
 //! The spheres lie loosely in the upper box, as high as they need, and will rain down.
@@ -99,24 +97,6 @@ Apparatus build(Setup const& rig)
     return apparatus;
 }
 
-double highest(Look& look)
-{
-    double z = -std::numeric_limits<double>::infinity();
-    for (auto const& p : look.particles().places())
-        z = std::max(z, p.z + p.radius);
-    return z;
-}
-
-void put_lid(Bench& bench, double z, double velocity)
-{
-    dem::WallId const id{lid};
-    auto plate = std::get<dem::Rectangle>(bench.simulation.wall(id).shape);
-    plate.centre.z = z;
-    bench.simulation.place(id, plate);
-    bench.simulation.move(id, dem::WallVelocity{.velocity = {0, 0, velocity}});
-    bench.simulation.activate(id, true);
-}
-
 //! The mean particle could not rise by a thousandth of a diameter.
 bool rests(Look& look, Setup const& rig)
 {
@@ -126,11 +106,11 @@ bool rests(Look& look, Setup const& rig)
     return simulation.kinetic_energy() / particles < at_rest;
 }
 
-//! Rain, rest, and a lid that levels the bed to its height.
+//! Rain and rest. A bed that lies higher than its bulk density asks for has its friction lowered, step by
+//! step, until it has sunk to its height; nothing presses on it, since a pressure that stays between the
+//! sides makes an arch over the slot.
 std::vector<Stage> filling(Setup const& rig)
 {
-    constexpr double levelling = 0.1; // [s]
-    constexpr char const* fallen_from = "top_of_fallen_bed";
     auto const at_rest = [&](std::string name, double shortest, double longest) {
         return Stage{.name = std::move(name),
                      .until = [&rig](Look& look) { return rests(look, rig); },
@@ -139,27 +119,25 @@ std::vector<Stage> filling(Setup const& rig)
                      .longest = longest};
     };
     auto fill = at_rest("fill", 0.1, 20);
-    fill.model = rig.filling_model;
-    Stage level{.name = "level", .shortest = levelling};
-    level.needed = [&rig](Look& look) {
-        look.progress().notes[fallen_from] = highest(look);
-        return highest(look) > rig.bed_height();
+    fill.model = rig.with_friction_up_to(rig.filling_friction);
+    std::vector<Stage> stages = {fill};
+    auto const is_too_high = [&rig](Look& look) {
+        return drawdown::bed_height(look, rig) > rig.bed_height();
     };
-    level.enter = [&rig](Bench& bench) {
-        double const top = bench.progress.notes[fallen_from];
-        put_lid(bench, top, -(top - rig.bed_height()) / levelling);
-    };
-    auto hold = at_rest("level", 0, 5);
-    hold.needed = [&rig](Look& look) { return look.progress().notes[fallen_from] > rig.bed_height(); };
-    hold.enter = [&rig](Bench& bench) { put_lid(bench, rig.bed_height(), 0); };
-    // Without the lid the bed relaxes while friction is still low; else it would keep the lid's pressure
-    // between the sides and arch over the slot.
-    auto relax = at_rest("settle", 0.05, 5);
-    relax.enter = [](Bench& bench) { bench.simulation.activate(dem::WallId{lid}, false); };
+    for (double friction = 0.7 * std::min(rig.filling_friction, rig.largest_friction());
+         friction > least_filling_friction; friction *= 0.7) {
+        auto sink = at_rest("sink", 0.02, 5);
+        sink.model = rig.with_friction_up_to(friction);
+        sink.needed = is_too_high;
+        sink.until = [is_too_high, &rig](Look& look) { return !is_too_high(look) || rests(look, rig); };
+        stages.push_back(std::move(sink));
+    }
+    stages.push_back(at_rest("settle", 0.05, 5));
     auto settle = at_rest("settle", 0.02, 5);
     settle.model = rig.model;
     settle.landmark = "settled";
-    return {fill, level, hold, relax, settle};
+    stages.push_back(std::move(settle));
+    return stages;
 }
 
 //! Whether the discharge is over: nothing moves, and enough has left. \throws RunFailure when nothing moves
@@ -184,6 +162,7 @@ bool has_ended(Look& look, Setup const& rig)
     return false;
 }
 
+//! The gate slides open, or is gone at once.
 std::vector<Stage> discharge(Setup const& rig)
 {
     auto const move_gate = [](Bench& bench, double speed, bool is_there) {
@@ -193,8 +172,10 @@ std::vector<Stage> discharge(Setup const& rig)
             bench.simulation.activate(dem::WallId{half}, is_there);
         }
     };
-    Stage open{.name = "open", .shortest = 0.5 * rig.slot / rig.gate_speed, .looks_per_sample = 1};
+    double const opening = rig.gate_speed > 0 ? 0.5 * rig.slot / rig.gate_speed : 0.0;
+    Stage open{.name = "open", .shortest = opening, .looks_per_sample = 1};
     open.enter = [&rig, move_gate](Bench& bench) { move_gate(bench, rig.gate_speed, true); };
+    open.needed = [&rig](Look&) { return rig.gate_speed > 0; };
     Stage discharge{.name = "discharge", .looks_per_sample = 1, .landmark = "final"};
     discharge.enter = [move_gate](Bench& bench) { move_gate(bench, 0, false); };
     discharge.until = [&rig](Look& look) { return has_ended(look, rig); };

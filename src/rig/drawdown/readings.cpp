@@ -40,6 +40,11 @@ ProfileReading surface(std::string name, std::string doc, std::size_t stage, dou
             }};
 }
 
+ProfileReading bed_surface(std::size_t stage, Setup const& setup)
+{
+    return surface("bed", "surface of the bed before the gate opens", stage, setup.width, 200, true);
+}
+
 //! Bulk density of level layers of the bed; grains that are not spheres count as the spheres of their volume.
 ProfileReading::Points bed_density(Look& look, Setup const& setup)
 {
@@ -94,6 +99,11 @@ double mean_height(std::vector<double> const& heights)
 
 } // namespace
 
+double bed_height(Look& look, Setup const& rig)
+{
+    return mean_height(bed_surface(0, rig).take(look).values);
+}
+
 std::vector<Reading> readings()
 {
     return {{"upper_mass", "kg", "mass in the upper box", upper_mass},
@@ -103,9 +113,9 @@ std::vector<Reading> readings()
 
 std::vector<ProfileReading> profiles(Setup const& setup, std::size_t settled, std::size_t discharge)
 {
-    return {surface("bed", "surface of the levelled bed", settled, setup.width, 200, true),
+    return {bed_surface(settled, setup),
             {.name = "bed_density",
-             .doc = "bulk density of the levelled bed over the height above its floor",
+             .doc = "bulk density of the bed over the height above its floor",
              .axis = {"height", "m"},
              .value = {"density", "kg/m^3"},
              .stage = settled,
@@ -133,7 +143,7 @@ std::vector<Measure> const& measures()
          }},
         {{"final_mass_kg", "kg", "mass left in the upper box"},
          [](Progress const& p, Setup const&) { return p.series.column("upper_mass").back(); }},
-        {{"bulk_density_kg_m3", "kg/m^3", "of the levelled bed, before the gate opens"},
+        {{"bulk_density_kg_m3", "kg/m^3", "of the bed, before the gate opens"},
          [](Progress const& p, Setup const& rig) {
              return rig.mass / (mean_height(p.profile("bed").curve.columns[1]) * rig.width * rig.depth);
          }},

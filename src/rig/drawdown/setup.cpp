@@ -23,6 +23,11 @@ void check(Setup const& rig)
     check_bulk_density(rig.bulk_density, rig.density, rig.grains);
     check_room("box_depth_mm", rig.depth, rig.grains.widest());
     check_room("slot_width_mm", rig.slot, rig.grains.widest());
+    if (rig.gate_speed > 0 && rig.gate_speed < 1e-3)
+        throw InputError(
+            fmt::format("gate_speed_m_s = {:.4g} would take longer than a run may: at least 1e-3, "
+                        "or 0 for a gate that is taken away at once",
+                        rig.gate_speed));
     // Even a flat heap of all that can leave must stay below the gate.
     double const heap = rig.mass / (rig.bulk_density * rig.lower_width * rig.depth);
     if (heap > rig.drop)
@@ -42,17 +47,20 @@ OptionSpecs options()
          {required(entry("window_material", "material", "material of the front and the back window")),
           required(number("mass_kg", 1, "mass filled in [kg]", 1e-9)),
           required(number("bulk_density", 1500,
-                          "bulk density of the levelled bed [kg/m^3]; with the mass it gives the bed height",
+                          "least bulk density of the bed [kg/m^3]; with the mass it gives the bed height",
                           1e-3)),
           number("box_width_mm", 548, "inner width of the upper box [mm]", 1e-3),
           number("box_depth_mm", 97.5, "distance of the windows [mm]", 1e-3),
           number("slot_width_mm", 86, "width of the slot in the upper floor [mm]", 1e-3),
           number("drop_height_mm", 500, "from the upper to the lower floor [mm]", 1e-3),
           number("lower_box_width_mm", 548, "inner width of the lower box [mm]", 1e-3),
-          number("gate_speed_m_s", 1, "speed at which each half of the gate slides open [m/s]", 1e-3),
-          number("filling_friction", 0.1,
-                 "largest friction while the bed is filled and levelled [-], so that it reaches its bulk "
-                 "density",
+          number("gate_speed_m_s", 0,
+                 "speed at which each half of the gate slides open [m/s]; its friction drags particles with "
+                 "it. 0: it is taken away at once",
+                 0.0),
+          number("filling_friction", 10,
+                 "largest friction while the bed is filled [-]; where it lies higher than bulk_density asks "
+                 "for, it is lowered until the bed has sunk",
                  0.0),
           number("end_speed_m_s", 0.2, "the run ends when no particle is faster [m/s]", 1e-6),
           number("end_mass_fraction", 0.75,
@@ -65,8 +73,8 @@ OptionSpecs options()
 }
 
 Setup::Setup(RunInput const& input)
-    : seed(input.seed), model(input.model), filling_model(input.model), options(input.experiment),
-      grains(grains_of(input)), gravity(gravity_downwards(options))
+    : seed(input.seed), model(input.model), options(input.experiment), grains(grains_of(input)),
+      gravity(gravity_downwards(options))
 {
     OptionValues const& o = options;
     material = o.text("material");
@@ -90,13 +98,27 @@ Setup::Setup(RunInput const& input)
     wedge_margin = o.number("line_margin");
     time_step = chosen_time_step(o, model, material, grains.smallest_ball());
     skin = skin_of(o, grains);
-    double const filling = o.number("filling_friction");
-    for (auto& pair : filling_model.pairs) {
-        pair.static_friction = std::min(pair.static_friction, filling);
-        pair.kinetic_friction = std::min(pair.kinetic_friction, filling);
-        pair.rolling_friction = std::min(pair.rolling_friction, 0.1 * filling);
-    }
+    filling_friction = o.number("filling_friction");
     check(*this);
+}
+
+double Setup::largest_friction() const
+{
+    double largest = 0;
+    for (auto const& pair : model.pairs)
+        largest = std::max({largest, pair.static_friction, 10 * pair.rolling_friction});
+    return largest;
+}
+
+contact::Model Setup::with_friction_up_to(double most) const
+{
+    contact::Model slick = model;
+    for (auto& pair : slick.pairs) {
+        pair.static_friction = std::min(pair.static_friction, most);
+        pair.kinetic_friction = std::min(pair.kinetic_friction, most);
+        pair.rolling_friction = std::min(pair.rolling_friction, 0.1 * most);
+    }
+    return slick;
 }
 
 double Setup::expected_particles() const

@@ -61,8 +61,7 @@ TEST(Drawdown, KeepsTheCurvesThatItsResponsesAreMadeOf)
     for (double const z : curves.at("bed").column("height"))
         height += z / 200;
     EXPECT_NEAR(2.6 / (height * 0.24 * 0.06), result.responses[4], 1e-9);
-    // The layers have all mass below the height that was asked for, but for what the windows and the lid let
-    // overlap.
+    // The layers have all mass below the height that was asked for, but for what the windows let overlap.
     auto const& density = curves.at("bed_density").column("density");
     ASSERT_EQ(density.size(), 20u);
     double mass = 0;
@@ -86,7 +85,6 @@ TEST(Drawdown, FallsSlowerWhereGravityIsWeak)
     auto const on_earth = info.run(input, {});
     input.experiment.set("gravity_m_s2", Vector3{0, 0, -9.81 / 4});
     input.experiment.set("end_speed_m_s", 0.1); // speeds go with the root of gravity
-    input.experiment.set("gate_speed_m_s", 0.5);
     auto const weak = info.run(input, {});
     ASSERT_EQ(weak.status, rig::RunStatus::finished) << weak.reason;
     EXPECT_NEAR(weak.responses[2] / on_earth.responses[2], 0.5, 0.08);
@@ -98,6 +96,45 @@ TEST(Drawdown, FallsSlowerWhereGravityIsWeak)
     } catch (InputError const& error) {
         EXPECT_NE(std::string(error.what()).find("must point straight down, along -z"), std::string::npos);
     }
+}
+
+TEST(Drawdown, ABedThatLiesTooHighSinksToItsBulkDensityUnpressed)
+{
+    auto const& info = *rig::find_rig("drawdown");
+    auto const density_of = [&](double asked, double filling_friction) {
+        auto input = small_drawdown(1);
+        for (auto& p : input.model.pairs)
+            p.static_friction = p.kinetic_friction = 0.8, p.rolling_friction = 0.2;
+        input.experiment.set("bulk_density", asked);
+        input.experiment.set("filling_friction", filling_friction);
+        input.experiment.set("slot_width_mm", 160.0);
+        auto const result = info.run(input, {});
+        EXPECT_EQ(result.status, rig::RunStatus::finished) << result.reason;
+        return result.responses[4];
+    };
+    double const poured = density_of(1000, 10), slick = density_of(1000, 0.1);
+    EXPECT_GT(slick, 1.05 * poured);
+    double const between = 0.5 * (poured + slick);
+    EXPECT_NEAR(density_of(between, 10), between, 0.02 * between);
+}
+
+TEST(Drawdown, AGateSlidesOpenOrIsGoneAtOnce)
+{
+    auto const& info = *rig::find_rig("drawdown");
+    auto input = small_drawdown(1);
+    auto const half_emptied = [&] {
+        auto const result = info.run(input, {});
+        auto const &time = result.series.columns[0], &mass = result.series.columns[1];
+        EXPECT_EQ(time[0], 0);
+        EXPECT_GT(time[1], 0);
+        std::size_t k = 0;
+        while (k + 1 < mass.size() && mass[k] > 0.5 * (mass.front() + mass.back()))
+            ++k;
+        return time[k];
+    };
+    double const at_once = half_emptied();
+    input.experiment.set("gate_speed_m_s", 0.055 / 0.2); // half the slot in 0.2 s
+    EXPECT_NEAR(half_emptied() - at_once, 0.15, 0.1);
 }
 
 TEST(Drawdown, SameSeedSameBitsOtherSeedOtherPacking)
@@ -148,6 +185,8 @@ TEST(Drawdown, RefusesWhatCannotBeRun)
 {
     EXPECT_EQ(refusal("mass_kg", 2.6), "");
     EXPECT_NE(refusal("slot_width_mm", 250).find("slot_width_mm = 250"), std::string::npos);
+    EXPECT_NE(refusal("gate_speed_m_s", 1e-4).find("or 0 for a gate that is taken away at once"),
+              std::string::npos);
     EXPECT_NE(refusal("box_depth_mm", 20).find("no room for the particles"), std::string::npos);
     EXPECT_NE(refusal("mass_kg", 40).find("lower box"), std::string::npos);
     EXPECT_NE(refusal("bulk_density", 2000).find("cannot be reached"), std::string::npos);

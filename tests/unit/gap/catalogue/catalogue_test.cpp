@@ -66,6 +66,8 @@ bulk_density = 1400
 box_width_mm = 50
 box_depth_mm = 15
 slot_width_mm = 20
+gate_speed_m_s = 1
+filling_friction = 0.1
 lower_box_width_mm = 100
 drop_height_mm = 60
 target.mass_flow_kg_s = { value = 0.1, scale = 0.01, sd = 0.005 }
@@ -129,6 +131,24 @@ TEST(Catalogue, OffersAllThatTheRigsAllow)
     EXPECT_THAT(names, Not(Contains("drum_speed")));
     EXPECT_THAT(names, Not(Contains("cover_friction")));
     EXPECT_THAT(names, Not(Contains("time_base"))) << "no target has a time in it";
+}
+
+TEST(Catalogue, OffersNoSlowerGateAndNoOtherFillingWhereThereIsNone)
+{
+    auto text = campaign();
+    for (std::string const line : {"gate_speed_m_s = 1\n", "filling_friction = 0.1\n"})
+        text.erase(text.find(line), line.size());
+    std::vector<std::string> names;
+    for (auto const& one : candidates_of(CampaignInput::from_text(text, "test")))
+        names.push_back(one.effect.name);
+    EXPECT_THAT(names, Not(Contains("filling_history"))) << "filled with the grains' own friction";
+    EXPECT_THAT(names, Contains("gate")) << "the cylinder of the heap";
+    auto const without = CampaignInput::from_text(text, "test");
+    std::string paths;
+    for (auto const& one : candidates_of(without))
+        for (auto const& setting : one.effect.settings)
+            paths += setting.path + " ";
+    EXPECT_THAT(paths, Not(HasSubstr("gate_speed_m_s"))) << "the gate of the slot is gone at once";
 }
 
 TEST(Catalogue, WithoutAnAmplitudeNothingIsChanged)
