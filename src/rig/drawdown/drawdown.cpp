@@ -132,11 +132,11 @@ std::vector<Stage> filling(Setup const& rig)
         sink.until = [is_too_high, &rig](Look& look) { return !is_too_high(look) || rests(look, rig); };
         stages.push_back(std::move(sink));
     }
-    stages.push_back(at_rest("settle", 0.05, 5));
-    auto settle = at_rest("settle", 0.02, 5);
-    settle.model = rig.model;
-    settle.landmark = "settled";
-    stages.push_back(std::move(settle));
+    auto stop = at_rest("settle", 0.05, 5);
+    stop.model = rig.model;
+    stages.push_back(std::move(stop));
+    stages.push_back(at_rest("settle", 0.02, 5));
+    stages.back().landmark = "settled";
     return stages;
 }
 

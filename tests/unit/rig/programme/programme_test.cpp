@@ -223,7 +223,11 @@ TEST(ProgrammeRun, IsKeptWhereEachStageBeginsAndGoesOnThere)
     };
     auto const whole = info.run(input, keeping);
     EXPECT_EQ(whole.series.columns, info.run(input, {}).series.columns); // keeping changes nothing
-    ASSERT_EQ(stages.size() + 1, info.describe(input).stages.size());
+    // All that begin after the first one: a bed that need not sink so far skips some.
+    ASSERT_GE(stages.size(), 4u);
+    ASSERT_LT(stages.size(), info.describe(input).stages.size());
+    EXPECT_EQ(stages.front(), "sink");
+    EXPECT_EQ(stages.back(), "discharge");
     for (auto const& state : kept) {
         rig::RunHooks hooks;
         hooks.from = &state;
