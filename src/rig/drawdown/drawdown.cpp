@@ -132,10 +132,11 @@ std::vector<Stage> filling(Setup const& rig)
         sink.until = [is_too_high, &rig](Look& look) { return !is_too_high(look) || rests(look, rig); };
         stages.push_back(std::move(sink));
     }
-    auto stop = at_rest("settle", 0.05, 5);
-    stop.model = rig.model;
-    stages.push_back(std::move(stop));
-    stages.push_back(at_rest("settle", 0.02, 5));
+    // Twice, with the coefficients set twice: beds that were loose before keep their bits so.
+    for (double const shortest : {0.05, 0.02}) {
+        stages.push_back(at_rest("settle", shortest, 5));
+        stages.back().model = rig.model;
+    }
     stages.back().landmark = "settled";
     return stages;
 }
