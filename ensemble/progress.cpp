@@ -29,7 +29,8 @@ double seconds_left(ProgressState const& state)
         return 0;
     if (state.work_done > 0 && state.elapsed > 0)
         return left * state.elapsed / state.work_done;
-    return state.work > 0 ? left / state.groups : std::numeric_limits<double>::quiet_NaN();
+    double const expected = left / state.groups - state.elapsed; // negative: it was nothing to go by
+    return expected > 0 ? expected : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string duration_text(double seconds)

@@ -110,11 +110,13 @@ class Reader
             double left = expected.seconds[row];
             if (runs) {
                 ++shown.runs.running;
+                double const elapsed = time - history->begun;
+                auto const whole = whole_time(expected, row, *history);
                 status_.in_progress.push_back(
                     {plan.run, campaign_.input.experiments[static_cast<std::size_t>(plan.experiment)].name,
-                     time - history->begun,
-                     expected.finished > 0 ? std::optional(expected.seconds[row]) : std::nullopt});
-                left = std::max(0.05 * left, left - (time - history->begun));
+                     elapsed, whole, history->share, history->moment});
+                left = whole.value_or(left);
+                left = std::max(0.05 * left, left - elapsed);
             }
             seconds_open_ += left;
             squares_open_ += left * left;
@@ -127,6 +129,16 @@ class Reader
     }
 
   private:
+    //! How long a run in progress takes as a whole [s].
+    static std::optional<double> whole_time(ExpectedTimes const& expected, std::size_t row,
+                                            RunHistory const& history)
+    {
+        constexpr double enough = 0.05; // to go by
+        if (history.share >= enough && history.share <= 1 && history.told > history.begun)
+            return (history.told - history.begun) / history.share;
+        return expected.finished > 0 ? std::optional(expected.seconds[row]) : std::nullopt;
+    }
+
     static WaveStatus begin(Wave const& wave)
     {
         WaveStatus shown;

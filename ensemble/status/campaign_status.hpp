@@ -64,8 +64,11 @@ struct RunInProgress
 {
     int run = 0;
     std::string experiment;
-    double elapsed = 0;             //!< [s]
-    std::optional<double> expected; //!< [s] as a whole; none: no run has finished yet
+    double elapsed = 0; //!< [s]
+    //! [s] as a whole, by what it has told, else by runs that have finished; none: not known yet.
+    std::optional<double> expected;
+    double share = 0;   //!< of what it simulates that was done when it last told; 0: it has not
+    std::string moment; //!< where it was then, e.g. `in stage "flow" at 0.85 s`
 };
 
 //! How long the wave in progress still takes.

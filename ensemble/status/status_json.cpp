@@ -64,7 +64,9 @@ json in_progress_of(CampaignStatus const& status)
         list.push_back({{"run", run.run},
                         {"experiment", run.experiment},
                         {"elapsed_s", number(run.elapsed)},
-                        {"expected_s", run.expected ? number(*run.expected) : json(nullptr)}});
+                        {"expected_s", run.expected ? number(*run.expected) : json(nullptr)},
+                        {"share", run.share > 0 ? number(run.share) : json(nullptr)},
+                        {"moment", text(run.moment)}});
     return list;
 }
 

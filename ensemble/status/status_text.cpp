@@ -92,9 +92,10 @@ std::string progress_text(CampaignStatus const& status)
     auto const shown = std::min(status.in_progress.size(), most_in_progress);
     for (std::size_t i = 0; i < shown; ++i) {
         auto const& run = status.in_progress[i];
-        text +=
-            fmt::format("running    run {} ({}), {}{}\n", run.run, run.experiment, duration_text(run.elapsed),
-                        run.expected ? fmt::format(" of {} expected", duration_text(*run.expected)) : "");
+        text += fmt::format(
+            "running    run {} ({}), {}{}{}\n", run.run, run.experiment, duration_text(run.elapsed),
+            run.expected ? fmt::format(" of {} expected", duration_text(*run.expected)) : "",
+            run.share > 0 ? fmt::format("; {:.0f} % simulated, {}", 100 * run.share, run.moment) : "");
     }
     if (status.in_progress.size() > shown)
         text += fmt::format("           and {} more\n", status.in_progress.size() - shown);

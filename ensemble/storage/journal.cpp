@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <optional>
@@ -37,6 +38,8 @@ struct Entry
     int status = -1, signal = 0;   //!< of END; of CRASH
     double seconds = -1;           //!< of END
     bool was_asked_to_end = false; //!< a death after that is not the run's doing
+    double share = 0, told = 0;    //!< of AT, or of the last one of a start
+    std::string moment = {};
 };
 
 //! A line that is not as `Journal` writes it, by its check sum or by what it says, is none.
@@ -50,6 +53,11 @@ std::optional<Entry> parse(std::string const& line)
         return std::nullopt;
     if (entry.verb == "START" || entry.verb == "ALONE") {
         in >> entry.begun;
+    } else if (entry.verb == "AT") {
+        in >> entry.share >> entry.told >> std::ws;
+        if (!(entry.share >= 0) || !std::isfinite(entry.share) || !std::getline(in, entry.moment))
+            return std::nullopt;
+        return entry;
     } else if (entry.verb == "CRASH") {
         in >> entry.signal;
     } else if (entry.verb == "END") {
@@ -115,6 +123,11 @@ void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
             if (started != open.end())
                 count_death(started->second);
             open[entry->run] = *entry;
+        } else if (entry->verb == "AT") {
+            if (started != open.end()) {
+                Entry& start = started->second;
+                start.share = entry->share, start.told = entry->told, start.moment = entry->moment;
+            }
         } else if (entry->verb == "STOP") {
             if (started != open.end())
                 started->second.was_asked_to_end = true;
@@ -136,7 +149,10 @@ void take_in(fs::path const& file, std::map<int, RunHistory>& histories)
     for (auto const& [run, start] : open) {
         auto& history = histories[run];
         history.open = true;
-        history.begun = std::max(history.begun, start.begun);
+        if (start.begun < history.begun)
+            continue;
+        history.begun = start.begun;
+        history.share = start.share, history.told = start.told, history.moment = start.moment;
     }
     count_deaths();
 }
@@ -175,6 +191,11 @@ void Journal::start(int run, Company company)
 {
     append(fmt::format("{} {} {:.3f}", company == Company::alone ? "ALONE" : "START", run,
                        seconds_since_epoch()));
+}
+
+void Journal::at(int run, double share, std::string const& moment)
+{
+    append(fmt::format("AT {} {:.4g} {:.3f} {}", run, share, seconds_since_epoch(), moment));
 }
 
 void Journal::end(int run, std::uint32_t shard_crc, int status, double seconds)

@@ -19,6 +19,7 @@ double seconds_since_epoch();
 //!     <CRC of the rest> BEGIN 0 1732243967.456        begins: what was in progress before has died
 //!     <CRC of the rest> START 17 1732243968.123       begun, other runs beside it
 //!     <CRC of the rest> ALONE 17 1732243968.123       begun with nothing beside it
+//!     <CRC of the rest> AT 17 0.28 1732243988.123 in stage "flow" at 0.85 s    share done, when, where
 //!     <CRC of the rest> END 17 <CRC> <status> 12.3    the shard of this CRC is on the disk; time [s]
 //!     <CRC of the rest> DRAIN 17                      given up on request; begin it again
 //!     <CRC of the rest> STOP 17                       asked to end (SIGTERM, SIGINT) meanwhile
@@ -37,6 +38,8 @@ class Journal
         alone
     };
     void start(int run, Company company);
+    //! \param share of the run that is done, about \param moment a line of text
+    void at(int run, double share, std::string const& moment);
     void end(int run, std::uint32_t shard_crc, int status, double seconds);
     void drain(int run);
     //! Lines that tell of a crash or of a request to end, made beforehand for a signal handler.
@@ -64,6 +67,9 @@ struct RunHistory
     std::string crash;                     //!< the last of them, e.g. "signal 11"
     bool open = false;                     //!< a start is the last line of a journal: running, or killed
     double begun = 0;                      //!< [s] since 1970, of that start
+    double share = 0;                      //!< of it that was done when it was last told; 0: not told yet
+    double told = 0;                       //!< [s] since 1970, of that
+    std::string moment;                    //!< where it was then
 };
 
 //! As if these runs had never begun: takes their lines out of all journals of a folder. Nobody may write them

@@ -113,12 +113,21 @@ struct RunState; // programme/programme_run.hpp
 
 //! What the caller wants while a run goes on; nothing here but the number of ranks in a team changes the
 //! result.
+//! How far a run is.
+struct RunProgress
+{
+    double share;       //!< simulated time over that which is expected; may exceed 1
+    std::string moment; //!< e.g. `in stage "flow" at 0.85 s`
+};
+
 struct RunHooks
 {
     std::function<void(Snapshot const&)> on_frame = {}; //!< called every `frame_interval` of simulated time
     double frame_interval = 0;                          //!< [s]; 0: never
     std::function<bool()> should_stop = {};             //!< polled about every 0.1 s; true ends the run early
-    double wall_time_limit = 0;                         //!< [s]; 0: none
+    //! Told about every 0.1 s, by rigs that are programmes.
+    std::function<void(RunProgress const&)> on_progress = {};
+    double wall_time_limit = 0; //!< [s]; 0: none
     //! The ranks that simulate the run together; null: this one alone. All of them call the rig, with hooks
     //! that are set alike, and get the same result.
     dem::Team* team = nullptr;

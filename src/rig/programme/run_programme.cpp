@@ -64,6 +64,7 @@ std::vector<std::int64_t> groups_of(std::vector<std::uint32_t> const& ids,
 RunResult run_programme(Programme programme, RunHooks const& hooks)
 {
     auto const names = programme.names;
+    double const expected = programme.expected_duration;
     auto run = hooks.from != nullptr ? ProgrammeRun(std::move(programme), hooks.team, *hooks.from)
                                      : ProgrammeRun(std::move(programme), hooks.team);
     bool const has_frames = hooks.on_frame && hooks.frame_interval > 0;
@@ -90,6 +91,8 @@ RunResult run_programme(Programme programme, RunHooks const& hooks)
             break;
         if (agreed(hooks.should_stop && hooks.should_stop()))
             throw RunInterrupted();
+        if (hooks.on_progress)
+            hooks.on_progress({expected > 0 ? run.time() / expected : 0, run.moment()});
         double const after = now();
         if (agreed(hooks.wall_time_limit > 0 && after - started > hooks.wall_time_limit))
             run.fail(RunStatus::timed_out,

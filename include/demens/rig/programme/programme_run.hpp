@@ -62,6 +62,7 @@ class ProgrammeRun
     //! Called at every look with the stage's name, before anything is read.
     void watch(std::function<void(Bench&, std::string const&)> watcher) { watcher_ = std::move(watcher); }
 
+    double time() const { return bench_ ? bench_->simulation.time() : 0; } //!< [s]
     //! "in stage "fill" at 0.1000 s", for messages.
     std::string moment() const;
     //! What it has given so far.

@@ -124,6 +124,10 @@ TEST(Progress, TimeLeft)
     state.work = 100;
     state.groups = 4;
     EXPECT_DOUBLE_EQ(seconds_left(state), 25); // four groups, nothing finished yet
+    state.elapsed = 5;
+    EXPECT_DOUBLE_EQ(seconds_left(state), 20);
+    state.elapsed = 30;
+    EXPECT_TRUE(std::isnan(seconds_left(state))) << "what was predicted is over";
     state.done = 4;
     state.work_done = 40;
     state.elapsed = 20; // twice as fast as predicted

@@ -33,6 +33,28 @@ TEST(CheckSum, IsTheOneOfTheStandard)
     EXPECT_EQ(crc32_of(std::string("123456789")), 0xcbf43926u); // check value of CRC-32/ISO-HDLC
 }
 
+TEST_F(JournalTest, TellsHowFarARunIs)
+{
+    Journal journal(folder_, "rank-0000");
+    journal.start(7, Journal::Company::others);
+    journal.at(7, 0.11, "in stage \"fill\" at 0.5 s");
+    journal.at(7, 0.28, "in stage \"flow\" at 1.25 s");
+    journal.at(8, 0.5, "of none that has begun");
+    auto histories = read_journals(folder_);
+    EXPECT_TRUE(histories[7].open);
+    EXPECT_EQ(histories[7].share, 0.28);
+    EXPECT_EQ(histories[7].moment, "in stage \"flow\" at 1.25 s");
+    EXPECT_GE(histories[7].told, histories[7].begun);
+    EXPECT_FALSE(histories[8].open);
+    journal.start(7, Journal::Company::others); // again, from its beginning
+    EXPECT_EQ(read_journals(folder_)[7].share, 0);
+    for (auto const* said :
+         {"AT 7 nan 1732243988 x", "AT 7 -1 1732243988 x", "AT 7 0.5 then x", "AT 7 0.5 1732243988"})
+        std::ofstream(folder_ / "journal-rank-0000", std::ios::app)
+            << fmt::format("{:08x} {}\n", crc32_of(std::string(said)), said);
+    EXPECT_EQ(read_journals(folder_)[7].share, 0) << "that is no share, no time, no moment";
+}
+
 TEST_F(JournalTest, CountsDeathsByWhatWasWritten)
 {
     {
