@@ -37,7 +37,9 @@ AmplitudeModel::AmplitudeModel(Evidence const& evidence, Eigen::MatrixXd const& 
     base_precision_.compute(gram_.topLeftCorner(p_, p_) + Eigen::MatrixXd::Identity(p_, p_));
     log_freedom_ = 2 * base_precision_.matrixLLT().diagonal().array().log().sum();
     auto const signatures = p_ * (1 + count);
-    hidden_ = base_precision_.solve(gram_.block(0, signatures, p_, count));
+    hidden_ = Eigen::MatrixXd::Zero(p_, count);
+    if (hidden_.size() > 0) // Eigen's solvers take a reference to the first number
+        hidden_ = base_precision_.solve(gram_.block(0, signatures, p_, count));
     precision_ = Eigen::MatrixXd::Identity(count, count) + gram_.block(signatures, signatures, count, count) -
                  gram_.block(0, signatures, p_, count).transpose() * hidden_;
 }

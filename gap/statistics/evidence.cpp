@@ -19,6 +19,8 @@ void need_size(char const* array, Eigen::Index size, Eigen::Index right, char co
 
 void need_finite(char const* array, Eigen::MatrixXd const& rows, std::vector<Cell> const& cells)
 {
+    if (rows.size() == 0)
+        return;
     for (Eigen::Index i = 0; i < rows.rows(); ++i)
         if (!rows.row(i).allFinite())
             throw InputError(fmt::format(

@@ -41,14 +41,16 @@ Projection::Projection(Evidence const& evidence, Eigen::MatrixXd floor) : floor_
     total_root_ = checked_root(total_, evidence.cells);
 }
 
+// Of no columns there are none: Eigen's solvers take a reference to the first number.
+
 Eigen::MatrixXd Projection::whiten(Eigen::MatrixXd const& columns) const
 {
-    return floor_root_.triangularView<Eigen::Lower>().solve(columns);
+    return columns.size() > 0 ? floor_root_.triangularView<Eigen::Lower>().solve(columns) : columns;
 }
 
 Eigen::MatrixXd Projection::reduce(Eigen::MatrixXd const& columns) const
 {
-    return total_root_.triangularView<Eigen::Lower>().solve(columns);
+    return columns.size() > 0 ? total_root_.triangularView<Eigen::Lower>().solve(columns) : columns;
 }
 
 Eigen::MatrixXd Projection::solve(Eigen::MatrixXd const& columns) const
