@@ -22,7 +22,7 @@ struct RunRecord
     std::vector<double> factors; //!< own units, in the order of CampaignInput::factors
     std::shared_ptr<std::vector<Effect> const> effects = {}; //!< of its wave; null where it has none
     std::vector<double> amplitudes = {};                     //!< of each of them
-    double predicted_cost = 0;                               //!< [particle steps]
+    double predicted_cost = 0;                               //!< [steps of a sphere]
 
     rig::RunStatus status = rig::RunStatus::not_run;
     std::string reason;

@@ -5,6 +5,7 @@
 #include "ensemble/mpi/patience.hpp"
 #include "ensemble/progress.hpp"
 #include "ensemble/run/execute.hpp"
+#include "ensemble/run/progress_notes.hpp"
 #include "ensemble/run/runs_in_flight.hpp"
 #include "ensemble/run/stop.hpp"
 #include "ensemble/run/together.hpp"
@@ -97,7 +98,6 @@ class WaveRunner::Pass
 
   private:
     using Clock = std::chrono::steady_clock;
-    static constexpr std::chrono::seconds between_words{15}; //!< of a run in progress
 
     double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
 
@@ -327,16 +327,7 @@ class WaveRunner::Pass
             return StopSignals::should_stop_run();
         };
         if (journal_)
-            hooks.on_progress = [this, run = queue_.plan_of(place).run,
-                                 next = Clock::now() + between_words](rig::RunProgress const& at) mutable {
-                if (Clock::now() < next)
-                    return;
-                next = Clock::now() + between_words;
-                try {
-                    journal_->at(run, at.share, at.moment);
-                } catch (FileError const&) { // no reason to lose the run: it will be told by what it leaves
-                }
-            };
+            hooks.on_progress = progress_notes(*journal_, queue_.plan_of(place).run);
         return execute(runner_.input_, queue_.plan_of(place), hooks);
     }
 

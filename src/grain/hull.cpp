@@ -95,8 +95,7 @@ Hull Hull::scaled(double factor) const
     Hull result = *this;
     for (Vector3& v : result.vertices_)
         v *= factor;
-    result
-        .find_planes(); // of these vertices, so that a hull that is made of them again is the same to the bit
+    result.find_planes(); // so that a hull that is made of these vertices again is the same to the bit
     return result;
 }
 

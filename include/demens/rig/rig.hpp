@@ -111,8 +111,6 @@ struct RunInput
 
 struct RunState; // programme/programme_run.hpp
 
-//! What the caller wants while a run goes on; nothing here but the number of ranks in a team changes the
-//! result.
 //! How far a run is.
 struct RunProgress
 {
@@ -120,6 +118,8 @@ struct RunProgress
     std::string moment; //!< e.g. `in stage "flow" at 0.85 s`
 };
 
+//! What the caller wants while a run goes on; nothing here but the number of ranks in a team changes the
+//! result.
 struct RunHooks
 {
     std::function<void(Snapshot const&)> on_frame = {}; //!< called every `frame_interval` of simulated time
@@ -159,7 +159,7 @@ struct RigInfo
     std::function<void(RunInput const&)> check = {};
     //! What is doubtful about an input that can run. \throws InputError for an engine that cannot run it.
     std::function<std::vector<std::string>(RunInput const&)> warnings = {};
-    //! Predicted cost [particle steps].
+    //! Predicted cost [steps of a sphere].
     std::function<double(RunInput const&)> predict_cost = {};
     //! Simulates. Does not throw for a failed run. \throws RunInterrupted
     std::function<RunResult(RunInput const&, RunHooks const&)> run = {};

@@ -104,10 +104,7 @@ RigInfo described(RigInfo rig)
         warnings.insert(warnings.end(), units.begin(), units.end());
         return warnings;
     };
-    rig.predict_cost = [describe](RunInput const& input) {
-        auto const programme = describe(input);
-        return programme.expected_work();
-    };
+    rig.predict_cost = [describe](RunInput const& input) { return describe(input).expected_work(); };
     rig.run = [rig](RunInput const& input, RunHooks const& hooks) {
         std::optional<Programme> programme;
         try {
