@@ -75,6 +75,18 @@ std::vector<Target> const& targets_of(Experiment const& experiment)
     return experiment.role == ensemble::ExperimentRole::calibrate ? experiment.targets : experiment.held_out;
 }
 
+Eigen::VectorXd measured_change(MeasuredChange change, std::vector<CampaignCell> const& cells,
+                                Eigen::VectorXd const& values)
+{
+    Eigen::VectorXd changes(values.size());
+    for (Eigen::Index i = 0; i < changes.size(); ++i) {
+        auto shown = cells[static_cast<std::size_t>(i)].shown;
+        shown.value = values[i];
+        changes[i] = change(shown);
+    }
+    return changes;
+}
+
 std::vector<std::string> notes_on(std::vector<CampaignCell> const& cells)
 {
     std::string names;
@@ -107,6 +119,8 @@ std::vector<CampaignCell> cells_of(CampaignInput const& input, ensemble::Experim
             continue;
         auto const condition = conditions.of(experiment);
         std::map<std::string, int> windows;
+        auto const responses = measured_responses(experiment, targets_of(experiment));
+        auto shown = responses.begin();
         for (auto const& target : targets_of(experiment)) {
             auto const family = experiment.rig->name + "." + family_of(experiment, target);
             auto const [sum, count] = squares[family + "@" + experiment.name];
@@ -116,7 +130,7 @@ std::vector<CampaignCell> cells_of(CampaignInput const& input, ensemble::Experim
                                .condition = condition,
                                .scale = std::sqrt(sum / count)},
                               &target,
-                              experiment.responses[static_cast<std::size_t>(target.response_index)].units,
+                              *shown++,
                               std::isnan(target.sd) ? target.scale : target.sd,
                               !std::isnan(target.sd)};
             // windows of one curve stand beside each other, as conditions do

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ensemble/input/campaign_input.hpp"
+#include "gap/catalogue/measured_response.hpp"
 #include "gap/statistics/evidence.hpp"
 
 #include <string>
@@ -13,14 +14,19 @@ struct CampaignCell
 {
     Cell cell;                      //!< named `experiment.response`; its experiment is the campaign's
     ensemble::Target const* target; //!< of the campaign's input
-    std::string units;
-    double sd;     //!< of the measurement, in those units
-    bool sd_given; //!< else it is the scale of the target
+    MeasuredResponse shown;         //!< by the measuring device
+    double sd;                      //!< of the measurement, in the response's units
+    bool sd_given;                  //!< else it is the scale of the target
 };
 
 //! Targets of all experiments of a role, in their order; for what is fitted the order of the objective. They
 //! point into the input.
 std::vector<CampaignCell> cells_of(ensemble::CampaignInput const& input, ensemble::ExperimentRole role);
+
+//! How the cells change with a unit of amplitude of an effect of the measurement.
+//! \param values of the base model
+Eigen::VectorXd measured_change(MeasuredChange change, std::vector<CampaignCell> const& cells,
+                                Eigen::VectorXd const& values);
 
 //! What is assumed of these cells, one line each.
 std::vector<std::string> notes_on(std::vector<CampaignCell> const& cells);

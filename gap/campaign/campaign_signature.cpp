@@ -26,17 +26,6 @@ Sign sign_of(ensemble::EffectSign sign)
     return Sign::either;
 }
 
-Signature measured_signature(CandidateEffect const& candidate, CampaignEvidence const& of)
-{
-    auto signature = empty_signature(candidate, of.evidence.size());
-    for (Eigen::Index i = 0; i < signature.first.size(); ++i) {
-        auto const& cell = of.cells[static_cast<std::size_t>(i)];
-        signature.first[i] =
-            candidate.measured({cell.target->response, cell.units, of.evidence.predicted[i]});
-    }
-    return signature;
-}
-
 //! Points of the effect at theta0 with runs of every experiment of the cells.
 std::vector<SimulatedPoint const*> points_of(std::string const& effect, CampaignEvidence const& of,
                                              std::vector<SimulatedPoint> const& points, std::string& failure)
@@ -176,9 +165,11 @@ std::vector<VectorXd> interaction_changes(CalibratedModel const& model)
 MadeSignature signature_of(CandidateEffect const& candidate, CampaignEvidence const& of,
                            std::vector<SimulatedPoint> const& points)
 {
-    if (candidate.measured)
-        return {measured_signature(candidate, of), {}};
     MadeSignature made{empty_signature(candidate, of.evidence.size()), {}};
+    if (candidate.measured) {
+        made.signature.first = measured_change(candidate.measured, of.cells, of.evidence.predicted);
+        return made;
+    }
     std::string failure;
     auto const simulated = points_of(candidate.effect.name, of, points, failure);
     if (simulated.empty()) {

@@ -21,10 +21,7 @@ std::vector<Signature> signatures_on(UnfittedRuns const& runs, std::vector<Campa
         auto const& candidate = found.campaign().candidates[k];
         VectorXd first = VectorXd::Zero(static_cast<Eigen::Index>(cells.size()));
         if (candidate.measured)
-            for (Eigen::Index i = 0; i < first.size(); ++i)
-                first[i] = candidate.measured({cells[static_cast<std::size_t>(i)].target->response,
-                                               cells[static_cast<std::size_t>(i)].units,
-                                               runs.evidence().predicted[i]});
+            first = measured_change(candidate.measured, cells, runs.evidence().predicted);
         else if (auto const* point = runs.with(candidate.effect.name))
             first = runs.signature(*point, theta0);
         signatures.push_back(with_first_order(found.effects()[k], first));

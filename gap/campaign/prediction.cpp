@@ -40,7 +40,7 @@ std::vector<Prediction> predictions(ensemble::Campaign const& campaign)
     if (point == points.end())
         return all;
     for (auto const& cell : cells_of(campaign.input, ensemble::ExperimentRole::hold_out)) {
-        all.push_back({cell.cell.name, cell.units, cell.target->value, cell.target->scale, {}});
+        all.push_back({cell.cell.name, cell.shown.units, cell.target->value, cell.target->scale, {}});
         for (auto const& run : point->runs[static_cast<std::size_t>(cell.cell.experiment)])
             all.back().simulated.push_back(run[cell.target->response_index]);
     }

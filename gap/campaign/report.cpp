@@ -41,7 +41,7 @@ void write_where(std::string& text, Diagnosis const& found)
             hidden.push_back(of.cell.name);
         if (cell.finding == Finding::beyond_floor)
             fmt::format_to(to, "  {:<44} off by {:+.3g} {}, {:+.1f} sigma (floor {:.2g} {})\n", of.cell.name,
-                           cell.residual, of.units, cell.sigmas, cell.floor, of.units);
+                           cell.residual, of.shown.units, cell.sigmas, cell.floor, of.shown.units);
     }
     for (auto const& group : located.groups)
         if (group.finding == Finding::beyond_floor)
@@ -138,7 +138,7 @@ void write_how_far(std::string& text, Diagnosis const& found, std::optional<Camp
                                : fmt::format(" before, {:+.3g} with {}", cell.after,
                                              found.effects()[static_cast<std::size_t>(best.effect)].name);
         fmt::format_to(to, "  {:<44} off by {:+.3g}{}, floor {:.2g} {}\n", closure->cells[i].cell.name,
-                       cell.before, after, cell.floor, closure->cells[i].units);
+                       cell.before, after, cell.floor, closure->cells[i].shown.units);
     }
 }
 

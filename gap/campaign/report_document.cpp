@@ -18,7 +18,7 @@ nlohmann::json json_of(CampaignClosure const& closure, Diagnosis const& found)
         nlohmann::json cells = nlohmann::json::array();
         for (std::size_t i = 0; i < closure.cells.size(); ++i)
             cells.push_back({{"cell", closure.cells[i].cell.name},
-                             {"units", closure.cells[i].units},
+                             {"units", closure.cells[i].shown.units},
                              {"measured", closure.cells[i].target->value},
                              {"before", effect.closure.cells[i].before},
                              {"after", effect.closure.cells[i].after},
@@ -74,7 +74,7 @@ nlohmann::json json_of(Located const& located, Diagnosis const& found)
         auto const& cell = located.cells[i];
         auto const& of = found.campaign().cells[i];
         cells.push_back({{"cell", of.cell.name},
-                         {"units", of.units},
+                         {"units", of.shown.units},
                          {"measured", found.evidence().measured[static_cast<Eigen::Index>(i)]},
                          {"predicted", found.evidence().predicted[static_cast<Eigen::Index>(i)]},
                          {"finding", words(cell.finding)},

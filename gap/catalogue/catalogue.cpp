@@ -30,10 +30,9 @@ bool is_possible(CandidateEffect const& candidate, CampaignInput const& input)
     if (candidate.measured) {
         for (auto const& experiment : input.experiments)
             for (auto const* targets : {&experiment.targets, &experiment.held_out})
-                for (auto const& target : *targets) {
-                    auto const& response =
-                        experiment.responses[static_cast<std::size_t>(target.response_index)];
-                    if (candidate.measured({response.name, response.units, 1}) != 0)
+                for (auto response : measured_responses(experiment, *targets)) {
+                    response.value = 1;
+                    if (candidate.measured(response) != 0)
                         return true;
                 }
         return false;
@@ -150,7 +149,10 @@ std::vector<CatalogueEntry> const& catalogue()
         restitution(),
         air_drag(),
         camera_angle(),
+        picture_scale(),
+        picture_threshold(),
         balance_scale(),
+        balance_delay(),
         time_base(),
     };
     return entries;

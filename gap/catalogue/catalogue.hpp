@@ -15,7 +15,7 @@ struct CandidateEffect
     ensemble::Effect effect; //!< without settings where `measured` is there
     std::string group;       //!< of the catalogue, or `own`
     std::string amplitude;   //!< what its amplitude is
-    double (*measured)(MeasuredResponse const&) = nullptr;
+    MeasuredChange measured = nullptr;
 };
 
 //! The effects that `[gap]` names, or else all that the rigs and laws of the campaign allow, and its own.

@@ -38,7 +38,10 @@ CatalogueEntry viscoelastic();
 CatalogueEntry restitution();
 CatalogueEntry air_drag();
 CatalogueEntry camera_angle();
+CatalogueEntry picture_scale();
+CatalogueEntry picture_threshold();
 CatalogueEntry balance_scale();
+CatalogueEntry balance_delay();
 CatalogueEntry time_base();
 
 } // namespace demens::gap

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ensemble/effect.hpp"
+#include "gap/catalogue/measured_response.hpp"
 #include "gap/catalogue/setup.hpp"
 
 #include <string>
@@ -21,13 +22,6 @@ enum class EffectGroup
     measurement
 };
 
-//! A response as a measuring device shows it.
-struct MeasuredResponse
-{
-    std::string name, units;
-    double value; //!< of the base model
-};
-
 //! An effect of the catalogue. One of `settings` and `measured` is there.
 struct CatalogueEntry
 {
@@ -40,8 +34,7 @@ struct CatalogueEntry
     ensemble::EffectSign sign = ensemble::EffectSign::either;
     //! What it changes in a campaign; none: its rigs or laws do not allow it.
     std::vector<ensemble::EffectSetting> (*settings)(Setup const& setup) = nullptr;
-    //! What a unit of amplitude adds to a response, of an effect that no simulation needs; 0: nothing.
-    double (*measured)(MeasuredResponse const& response) = nullptr;
+    MeasuredChange measured = nullptr; //!< of an effect that no simulation needs
 };
 
 } // namespace demens::gap

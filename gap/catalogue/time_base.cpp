@@ -8,13 +8,14 @@ CatalogueEntry time_base()
             .group = EffectGroup::measurement,
             .doc = "the clock of the record is out of scale",
             .amplitude = "share of the time [-]",
-            .keys = "responses in s and kg/s",
+            .keys = "responses in s and kg/s, curves over time",
             .typical = 0.02,
             .sign = ensemble::EffectSign::either,
             .measured = [](MeasuredResponse const& response) {
                 if (response.units == "s")
                     return response.value;
-                return response.units == "kg/s" ? -response.value : 0.0;
+                double const rate = response.units == "kg/s" ? -response.value : 0.0;
+                return response.over_time ? rate - response.place * response.slope : rate;
             }};
 }
 
