@@ -18,9 +18,6 @@ except ImportError:
     sys.exit(77)
 
 demens, mpirun, template = sys.argv[1:4]
-# Alone, without mpirun, so that a signal meets the process itself.
-environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none")
 
 
 def campaign(name, run, slow=False):
@@ -29,7 +26,7 @@ def campaign(name, run, slow=False):
         text = text.replace("angle_deg = 75", "angle_deg = 75\nrayleigh_fraction = 1e-4")
     with open(name + ".toml", "w") as file:
         file.write(text)
-    subprocess.run([demens, "new", name + ".toml"], check=True, env=environment, stdout=subprocess.DEVNULL)
+    subprocess.run([demens, "new", name + ".toml"], check=True, stdout=subprocess.DEVNULL)
     return name + ".h5"
 
 
@@ -41,13 +38,13 @@ def results(file):
 
 
 def run(file, ranks):
-    subprocess.run([mpirun, "-n", str(ranks), demens, file], check=True, env=environment, stdout=subprocess.DEVNULL,
+    subprocess.run([mpirun, "-n", str(ranks), demens, file], check=True, stdout=subprocess.DEVNULL,
                    stderr=subprocess.DEVNULL)
     return results(file)
 
 
 def interrupted(file, with_signal):
-    process = subprocess.Popen([demens, file], env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    process = subprocess.Popen([demens, file], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     journal = os.path.join(file + ".parts", "journal-rank-0000")
     while process.poll() is None and not (os.path.exists(journal) and open(journal).read().count("START") >= 4):
         time.sleep(0.01)
@@ -67,7 +64,7 @@ with tempfile.TemporaryDirectory() as folder:
 
     # More slots than there is memory for: half of them, and half again, until they fit.
     limit = 3 << 30
-    subprocess.run([demens, campaign("little-memory", "runs_together = 8192")], check=True, env=environment,
+    subprocess.run([demens, campaign("little-memory", "runs_together = 8192")], check=True,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                    preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
     assert results("little-memory.h5") == expected

@@ -11,7 +11,6 @@ import sys
 import tempfile
 
 demens, mpiexec, inputs = (os.path.abspath(name) if os.sep in name else name for name in sys.argv[1:4])
-os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1")
 
 
 def run(*command, code=0):

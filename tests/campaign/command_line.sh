@@ -8,7 +8,6 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cp "$campaign" "$folder/impact.toml"
 cd "$folder"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 # One simulation without a campaign: at the friction that was looked for, the rebound is the one that was measured.
 "$demens" try impact.toml --plan >plan.txt

@@ -7,7 +7,6 @@ demens=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 mkdir parts
 printf 'x,y,z,radius\n0,0,0.02,0.005\n0.002,0,0.035,0.005\n' >parts/two.csv
 cat >parts/plate.stl <<'STL'

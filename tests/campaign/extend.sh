@@ -7,7 +7,6 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cp "$2" "$folder/impact.toml"
 cd "$folder"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 # expect CODE TEXT COMMAND...: its exit code and something that it says; a refusal leaves the campaign file as it is
 expect()

@@ -15,7 +15,6 @@ import sys
 import tempfile
 
 demens, impact, box = (os.path.abspath(name) for name in sys.argv[1:4])
-os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
 
 
 def run(*command, folder="."):

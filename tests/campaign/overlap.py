@@ -18,9 +18,6 @@ except ImportError:
     sys.exit(77)
 
 demens, mpirun, template = sys.argv[1:4]
-environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                   OMPI_MCA_rmaps_base_oversubscribe="1", OMPI_MCA_hwloc_base_binding_policy="none",
-                   OMPI_MCA_mpi_yield_when_idle="1")
 
 
 def campaign(name, overlap):
@@ -51,7 +48,7 @@ def content(file):
 
 
 def start(toml, ranks):
-    return subprocess.Popen([mpirun, "-n", str(ranks), demens, toml], env=environment, stdout=subprocess.DEVNULL,
+    return subprocess.Popen([mpirun, "-n", str(ranks), demens, toml], stdout=subprocess.DEVNULL,
                             stderr=subprocess.DEVNULL)
 
 

@@ -7,7 +7,6 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cp "$campaign" "$folder/impact.toml"
 cd "$folder"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 # page_body: writes the report, lets its scripts run, prints the page that they made, without the scripts.
 page_body()
