@@ -125,7 +125,7 @@ void bed(Case const& c)
 void heap(Case const& c)
 {
     double const volume = std::acos(-1.0) / 6 * size * size * size;
-    auto input = demens::testing::heap_of({{c.shape}, {1}}, static_cast<double>(c.grains) * density * volume);
+    auto input = demens::test::heap_of({{c.shape}, {1}}, static_cast<double>(c.grains) * density * volume);
     input.size_distributions.clear();
     input.size_distributions.emplace("narrow", shape::SizeDistribution({0.99 * size, 1.01 * size}, {0, 1}));
     for (auto& material : input.model.materials)
@@ -140,7 +140,7 @@ void heap(Case const& c)
     double const before = seconds();
     auto const result = rig::find_rig("heap")->run(input, {});
     double const took = seconds() - before;
-    auto const number = [&](char const* name) { return demens::testing::response("heap", result, name); };
+    auto const number = [&](char const* name) { return demens::test::response("heap", result, name); };
     fmt::print("{}angle {:.2f} degrees, height {:.1f} mm, radius {:.1f} mm, {} steps, {:.0f} s, {:.3g} "
                "grain-steps/s\n",
                result.reason.empty() ? "" : result.reason + ": ", number("angle_of_repose_deg"),

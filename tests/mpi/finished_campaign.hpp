@@ -32,4 +32,15 @@ inline void create_finished_campaign(std::filesystem::path const& file)
     });
 }
 
+//! What is said of a campaign file that cannot be read; "accepted" of one that can.
+inline std::string refusal_of_campaign(std::string const& file)
+{
+    try {
+        ensemble::read_campaign_file(file, formula_rigs());
+        return "accepted";
+    } catch (InputError const& error) {
+        return error.what();
+    }
+}
+
 } // namespace demens::test

@@ -198,7 +198,7 @@ TEST(Bed, BeginsAsWithOneRankInATurningDrumOfTriangles)
             springs(1e6),
             {.time_step = time_step, .skin = 0.3 * radius, .energy_ledger = true, .team = team});
         pour(simulation, 300, 0.03, 0.03, {0, 0, -1});
-        auto mesh = demens::testing::mesh_of(demens::testing::drum_triangles(0.05, 0.03, 24, 4));
+        auto mesh = demens::test::mesh_of(demens::test::drum_triangles(0.05, 0.03, 24, 4));
         mesh.placement.shift = {0, 0, 0.045};
         simulation.add(dem::Wall{.shape = mesh, .spin = {0, 6, 0}, .pivot = {0, 0, 0.045}});
         for (double const at : {-0.015, 0.015})

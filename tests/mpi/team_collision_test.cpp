@@ -7,7 +7,7 @@ namespace {
 using namespace demens;
 using namespace demens::test;
 
-constexpr double radius = 5e-3, time_step = 5e-6;
+constexpr double ball_radius = 5e-3, ball_time_step = 5e-6;
 
 //! Resting spheres far from the path along x, so many left and right of it that what moves on the path
 //! changes no cut: it changes its owner instead. The cut between two ranks is just right of a sphere at x =
@@ -15,11 +15,11 @@ constexpr double radius = 5e-3, time_step = 5e-6;
 void add_bystanders(dem::Simulation& simulation, int left, int right, double cut)
 {
     if (cut != 0)
-        simulation.add(dem::Body{{cut, 1, 0}, radius});
+        simulation.add(dem::Body{{cut, 1, 0}, ball_radius});
     for (int k = 0; k < left; ++k)
-        simulation.add(dem::Body{{-1.0 - 0.02 * k, 1, 0}, radius});
+        simulation.add(dem::Body{{-1.0 - 0.02 * k, 1, 0}, ball_radius});
     for (int k = 0; k < right; ++k)
-        simulation.add(dem::Body{{1.0 + 0.02 * k, 1, 0}, radius});
+        simulation.add(dem::Body{{1.0 + 0.02 * k, 1, 0}, ball_radius});
 }
 
 struct Case
@@ -35,18 +35,18 @@ class Collision : public ::testing::TestWithParam<Case>
   protected:
     static dem::Simulation make(dem::Team* team, Case const& c)
     {
-        dem::Simulation simulation(springs(1e6), {.time_step = time_step,
+        dem::Simulation simulation(springs(1e6), {.time_step = ball_time_step,
                                                   .gravity = {},
-                                                  .skin = 0.2 * radius,
+                                                  .skin = 0.2 * ball_radius,
                                                   .energy_ledger = true,
                                                   .team = team});
         double const from = c.drift.x < 0 ? 0.08 : c.drift.x > 0 ? -0.08 : 0;
-        simulation.add(dem::Body{.position = {from - 1.01 * radius, 1e-3, 0},
-                                 .radius = radius,
+        simulation.add(dem::Body{.position = {from - 1.01 * ball_radius, 1e-3, 0},
+                                 .radius = ball_radius,
                                  .velocity = c.drift + 0.5 * c.approach,
                                  .spin = {3, 50, 20}});
-        simulation.add(dem::Body{.position = {from + 1.01 * radius, 0, 1e-3},
-                                 .radius = 0.9 * radius,
+        simulation.add(dem::Body{.position = {from + 1.01 * ball_radius, 0, 1e-3},
+                                 .radius = 0.9 * ball_radius,
                                  .velocity = c.drift - 0.5 * c.approach,
                                  .spin = {0, 40, -10}});
         add_bystanders(simulation, c.left, c.right, 0.6 * from);
@@ -101,10 +101,10 @@ TEST(FewParticles, AsManyAsThereAreMoveAndBounce)
 {
     for (int const count : {0, 1, 2, 3}) {
         auto const make = [&](dem::Team* team) {
-            dem::Simulation simulation(springs(1e6),
-                                       {.time_step = time_step, .skin = 0.2 * radius, .team = team});
+            dem::Simulation simulation(
+                springs(1e6), {.time_step = ball_time_step, .skin = 0.2 * ball_radius, .team = team});
             for (int k = 0; k < count; ++k)
-                simulation.add(dem::Body{{0.03 * k, 0, 1.5 * radius}, radius});
+                simulation.add(dem::Body{{0.03 * k, 0, 1.5 * ball_radius}, ball_radius});
             simulation.add(rectangle({}, {1, 0, 0}, {0, 1, 0}));
             return simulation;
         };
@@ -119,7 +119,8 @@ TEST(FewParticles, AsManyAsThereAreMoveAndBounce)
             ASSERT_NEAR(alone.largest_speed(), shared.largest_speed(), 1e-12);
         }
         // Another one enters while the others move.
-        alone.add(dem::Body{{0.1, 0.1, 0.1}, radius}), shared.add(dem::Body{{0.1, 0.1, 0.1}, radius});
+        alone.add(dem::Body{{0.1, 0.1, 0.1}, ball_radius}),
+            shared.add(dem::Body{{0.1, 0.1, 0.1}, ball_radius});
         alone.advance(300), shared.advance(300);
         ASSERT_LT(difference_of(alone, shared).place, 1e-14);
     }
@@ -127,19 +128,19 @@ TEST(FewParticles, AsManyAsThereAreMoveAndBounce)
 
 TEST(Escape, IsSeenByAllRanks)
 {
-    dem::Simulation simulation(springs(1e6), {.time_step = time_step,
-                                              .skin = 0.2 * radius,
+    dem::Simulation simulation(springs(1e6), {.time_step = ball_time_step,
+                                              .skin = 0.2 * ball_radius,
                                               .domain_lower = {-1, -1, 0},
                                               .domain_upper = {1, 1, 1},
                                               .team = &team()});
     for (int k = 0; k < 5; ++k)
         simulation.add(dem::Body{
-            .position = {0.1 * k, 0, 0.1}, .radius = radius, .velocity = {0, 0, k == 4 ? -10.0 : 0.0}});
+            .position = {0.1 * k, 0, 0.1}, .radius = ball_radius, .velocity = {0, 0, k == 4 ? -10.0 : 0.0}});
     simulation.advance(50);
     EXPECT_EQ(simulation.health(), dem::Health::good);
     simulation.advance(2500);
     EXPECT_EQ(simulation.health(), dem::Health::escaped);
-    simulation.add(dem::Body{{0, 0, 0.5}, radius});
+    simulation.add(dem::Body{{0, 0, 0.5}, ball_radius});
     simulation.advance(10);
     EXPECT_EQ(simulation.counts().particles, 6u);
     EXPECT_EQ(simulation.health(), dem::Health::escaped);

@@ -24,7 +24,7 @@ std::vector<double> responses(dem::Team* shared_by)
         rig::RunHooks hooks;
         hooks.team = shared_by;
         auto const result =
-            info.run(demens::testing::small_drawdown(static_cast<std::uint64_t>(seed + 1)), hooks);
+            info.run(demens::test::small_drawdown(static_cast<std::uint64_t>(seed + 1)), hooks);
         EXPECT_EQ(result.status, rig::RunStatus::finished) << result.reason;
         EXPECT_EQ(result.snapshots.size(), 2u);
         std::copy(result.responses.begin(), result.responses.end(),
@@ -67,10 +67,10 @@ TEST(Rig, StopsOnAllRanksWhenOneIsAsked)
     int looks = 0;
     hooks.should_stop = [&] { return team().rank() == team().size() - 1 && ++looks == 5; };
     auto const& info = *rig::find_rig("drawdown");
-    EXPECT_THROW(info.run(demens::testing::small_drawdown(1), hooks), rig::RunInterrupted);
+    EXPECT_THROW(info.run(demens::test::small_drawdown(1), hooks), rig::RunInterrupted);
     hooks.should_stop = {};
     hooks.wall_time_limit = 0.05 + team().rank(); // the first rank loses its patience first
-    auto const result = info.run(demens::testing::small_drawdown(1), hooks);
+    auto const result = info.run(demens::test::small_drawdown(1), hooks);
     EXPECT_EQ(result.status, rig::RunStatus::timed_out);
 }
 
@@ -81,8 +81,8 @@ TEST(Rig, GivesAllRanksTheSameAnswerAgain)
     rig::RunHooks hooks;
     hooks.team = &team();
     auto const& info = *rig::find_rig("drawdown");
-    auto const first = info.run(demens::testing::small_drawdown(1), hooks),
-               again = info.run(demens::testing::small_drawdown(1), hooks);
+    auto const first = info.run(demens::test::small_drawdown(1), hooks),
+               again = info.run(demens::test::small_drawdown(1), hooks);
     EXPECT_EQ(first.responses, again.responses);
     auto most = first.responses;
     team().largest(std::span(most));
@@ -92,7 +92,7 @@ TEST(Rig, GivesAllRanksTheSameAnswerAgain)
 TEST(Rig, OneSphereHitsAWall)
 {
     auto const& info = *rig::find_rig("impact");
-    auto input = demens::testing::small_drawdown(1);
+    auto input = demens::test::small_drawdown(1);
     input.experiment = defaults_of(info.options);
     input.experiment.set("material", std::string("stone"));
     input.experiment.set("wall_material", std::string("wood"));

@@ -8,8 +8,8 @@
 
 namespace demens::test {
 
-using testing::momenta_of;
-using testing::state_of;
+using test::momenta_of;
+using test::state_of;
 
 //! All ranks of the test as one team.
 inline dem::Team& team()

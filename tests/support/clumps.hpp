@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace demens::testing {
+namespace demens::test {
 
 //! Balls apart from each other, or that touch: their mass and moments are sums. The places must have their
 //! centre of mass at the origin and be along principal axes.
@@ -47,4 +47,4 @@ inline std::shared_ptr<grain::BodyShape const> jack()
                            {{0, 0, -1.4}, 0.5}});
 }
 
-} // namespace demens::testing
+} // namespace demens::test

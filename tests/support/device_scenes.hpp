@@ -15,7 +15,7 @@
 #include <vector>
 
 // Simulations for devices, and the same for the CPU.
-namespace demens::testing {
+namespace demens::test {
 
 using namespace demens::dem;
 
@@ -130,4 +130,4 @@ inline std::vector<double> bits_of(cuda::Batch const& batch, std::uint32_t slot)
     return all;
 }
 
-} // namespace demens::testing
+} // namespace demens::test

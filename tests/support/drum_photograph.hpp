@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace demens::testing {
+namespace demens::test {
 
 //! A photograph of a drum against the light that is made from what is known: a flat surface, as a camera may
 //! show it. Darkness from 0 to 1.
@@ -53,4 +53,4 @@ struct DrumPhotograph
     }
 };
 
-} // namespace demens::testing
+} // namespace demens::test

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-namespace demens::testing {
+namespace demens::test {
 
 //! The message with which an input is refused; empty where it is not.
 inline std::string fault_of(std::function<void()> const& use)
@@ -18,4 +18,4 @@ inline std::string fault_of(std::function<void()> const& use)
     return {};
 }
 
-} // namespace demens::testing
+} // namespace demens::test

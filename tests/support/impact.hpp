@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace demens::testing {
+namespace demens::test {
 
 //! One material that meets itself.
 inline contact::Model one_material(contact::Material const& material, contact::PairProperties pair)
@@ -94,4 +94,4 @@ inline Collision hit_each_other(contact::Model const& model, Sphere const& a, Sp
     return collide(simulation, false);
 }
 
-} // namespace demens::testing
+} // namespace demens::test

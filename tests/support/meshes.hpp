@@ -7,7 +7,7 @@
 #include <memory>
 #include <numbers>
 
-namespace demens::testing {
+namespace demens::test {
 
 inline dem::Mesh mesh_of(shape::TriangleSoup const& soup)
 {
@@ -57,4 +57,4 @@ inline shape::TriangleSoup drum_triangles(double radius, double half_length, int
     return soup;
 }
 
-} // namespace demens::testing
+} // namespace demens::test

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace demens::testing {
+namespace demens::test {
 
 //! The largest difference of vectors, as a share of the largest vector.
 class Difference
@@ -81,4 +81,4 @@ inline bool same_motion(dem::Simulation& a, dem::Simulation& b)
     return same;
 }
 
-} // namespace demens::testing
+} // namespace demens::test

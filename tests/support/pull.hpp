@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace demens::testing {
+namespace demens::test {
 
 //! Normal force between two bodies at one distance.
 struct PullPoint
@@ -52,4 +52,4 @@ inline PullOff pull_off(std::vector<PullPoint> const& curve)
     return result;
 }
 
-} // namespace demens::testing
+} // namespace demens::test

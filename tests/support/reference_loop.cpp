@@ -8,7 +8,7 @@
 #include <numbers>
 #include <type_traits>
 
-namespace demens::testing {
+namespace demens::test {
 namespace {
 
 using contact::ContactKinematics;
@@ -324,4 +324,4 @@ ReferenceLoop::Action ReferenceLoop::act(Meeting const& meeting, contact::LawSet
             .torque_j = cross(meeting.arm_j * kinematics.normal, -force) - rolling};
 }
 
-} // namespace demens::testing
+} // namespace demens::test

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace demens::testing {
+namespace demens::test {
 
 //! The steps of `dem::Simulation` as one would write them down first: every pair of bodies in every step, one
 //! after another, without neighbour lists, blocks or lanes. The laws and the shapes of the walls are the
@@ -91,4 +91,4 @@ class ReferenceLoop
     bool first_step_ = true;
 };
 
-} // namespace demens::testing
+} // namespace demens::test

@@ -3,7 +3,7 @@
 #include "demens/base/random.hpp"
 #include "tests/support/impact.hpp"
 
-namespace demens::testing {
+namespace demens::test {
 
 //! 64 spheres of a tenth less to `radius` [m] that fall on a plate between four walls; the options get their
 //! time step and skin.
@@ -30,4 +30,4 @@ inline dem::Simulation small_bed(contact::Material const& material, contact::Pai
     return simulation;
 }
 
-} // namespace demens::testing
+} // namespace demens::test

@@ -2,7 +2,7 @@
 
 #include "demens/rig/rig.hpp"
 
-namespace demens::testing {
+namespace demens::test {
 
 inline contact::PairProperties sliding_pair(std::string a, std::string b)
 {
@@ -41,4 +41,4 @@ inline rig::RunInput small_drawdown(std::uint64_t seed)
     return input;
 }
 
-} // namespace demens::testing
+} // namespace demens::test

@@ -2,7 +2,7 @@
 
 #include "demens/dem/simulation.hpp"
 
-namespace demens::testing {
+namespace demens::test {
 
 //! All that can be read of the particles; as every view, valid until the simulation changes.
 inline dem::StateView state_of(dem::Simulation& simulation)
@@ -28,4 +28,4 @@ inline Momenta momenta_of(dem::Simulation& simulation, Vector3 const& point)
     return sum;
 }
 
-} // namespace demens::testing
+} // namespace demens::test

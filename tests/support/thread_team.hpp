@@ -7,7 +7,7 @@
 #include <functional>
 #include <thread>
 
-namespace demens::testing {
+namespace demens::test {
 
 //! Threads of one process as a team.
 class ThreadTeam : public dem::Team
@@ -113,4 +113,4 @@ inline void with_team(int size, std::function<void(dem::Team&)> const& body)
         thread.join();
 }
 
-} // namespace demens::testing
+} // namespace demens::test

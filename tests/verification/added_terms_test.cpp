@@ -11,7 +11,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 using std::numbers::pi;
 
 constexpr double radius = 1e-4;
@@ -35,7 +35,7 @@ double beyond_hertz(PullPoint const& point)
 
 std::vector<PullPoint> pull(contact::PairProperties const& pair, double from, double to)
 {
-    return demens::testing::pull(one_material(soft, pair), radius, from, to, 2000);
+    return demens::test::pull(one_material(soft, pair), radius, from, to, 2000);
 }
 
 TEST(AddedTerms, AreaPullsInProportionToTheCircle)

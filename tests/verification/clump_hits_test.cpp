@@ -8,7 +8,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 
 TEST(Clumps, FreeHitsKeepMomentumAndAngularMomentum)
 {

@@ -10,7 +10,7 @@
 #include <vector>
 
 //! What the tests of clumps have in common: one material, a floor, bodies, their momenta.
-namespace demens::testing {
+namespace demens::test {
 
 inline constexpr double pi = std::numbers::pi, g = 9.81, radius = 5e-3;
 inline contact::Material const stone{"stone", 2500, 1e8, 0.25};
@@ -79,4 +79,4 @@ inline std::vector<dem::Body> cloud(int count, double spacing, std::uint64_t see
     return bodies;
 }
 
-} // namespace demens::testing
+} // namespace demens::test

@@ -9,7 +9,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 using std::numbers::pi;
 
 constexpr double radius = 1e-4, gamma_s = 0.05, modulus = 1e8;

@@ -9,7 +9,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 
 constexpr double radius = 5e-3, g = 9.81;
 contact::Material const grain{"grain", 2500, 1e7, 0.3};

@@ -10,7 +10,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 
 //! Cubes, tetrahedra and plates, some among spheres and rods, that fly about.
 std::vector<dem::Body> hulls(int count, double spacing, std::uint64_t seed, bool mixed)

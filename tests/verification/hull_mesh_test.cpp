@@ -10,7 +10,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 
 //! Motion of a box that slides and turns over a floor.
 std::vector<Vector3> slide(dem::WallShape const& wall)

@@ -4,7 +4,7 @@
 #include "tests/verification/clump_scene.hpp"
 
 //! What the tests of hulls have in common; bodies, floor and material are those of `clump_scene`.
-namespace demens::testing {
+namespace demens::test {
 
 //! \param rounding of edges, over the hull's own lengths
 inline std::shared_ptr<grain::BodyShape const> shape_of(grain::Hull const& hull, double rounding)
@@ -45,4 +45,4 @@ inline double hertz_overlap(double force)
     return std::pow(0.75 * force / (modulus * std::sqrt(radius)), 2.0 / 3);
 }
 
-} // namespace demens::testing
+} // namespace demens::test

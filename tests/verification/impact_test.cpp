@@ -9,7 +9,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 
 contact::Material const glass{"glass", 2800, 4.8e10, 0.20};
 contact::Material const limestone{"limestone", 2500, 2e10, 0.25};

@@ -7,7 +7,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 
 contact::Material const stone{"stone", 2500, 1e8, 0.3};
 constexpr double r = 2e-3;

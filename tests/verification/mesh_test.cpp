@@ -10,14 +10,14 @@
 namespace {
 
 using namespace demens;
-using demens::testing::collide;
-using demens::testing::Collision;
-using demens::testing::drum_triangles;
-using demens::testing::mesh_of;
-using demens::testing::momenta_of;
-using demens::testing::one_material;
-using demens::testing::plane_triangles;
-using demens::testing::state_of;
+using demens::test::collide;
+using demens::test::Collision;
+using demens::test::drum_triangles;
+using demens::test::mesh_of;
+using demens::test::momenta_of;
+using demens::test::one_material;
+using demens::test::plane_triangles;
+using demens::test::state_of;
 
 constexpr double g = 9.81, r = 0.01;
 contact::Material const stone{"stone", 2500, 1e7, 0.3};

@@ -10,7 +10,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 
 constexpr double radius = 2.5e-3, speed = 3.9, poisson = 0.23;
 contact::Material const alumina{"alumina", 4000, 3.8e11, poisson};

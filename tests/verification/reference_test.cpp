@@ -13,10 +13,10 @@
 namespace {
 
 using namespace demens;
-using demens::testing::mesh_of;
-using demens::testing::plane_triangles;
-using demens::testing::ReferenceLoop;
-using demens::testing::same_motion;
+using demens::test::mesh_of;
+using demens::test::plane_triangles;
+using demens::test::ReferenceLoop;
+using demens::test::same_motion;
 
 constexpr double width = 8e-3; // of the place along x and y, and the period [m]
 

@@ -8,7 +8,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 
 constexpr double radius = 0.01, g = 9.81;
 contact::Material const stone{"stone", 2500, 1e7, 0.3};

@@ -12,7 +12,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 using contact::TangentialLaw;
 using std::numbers::pi;
 

@@ -10,7 +10,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 using std::numbers::pi;
 
 contact::Material const grain{"grain", 2500, 1e7, 0.3};

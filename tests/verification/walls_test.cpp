@@ -9,8 +9,8 @@
 namespace {
 
 using namespace demens;
-using demens::testing::momenta_of;
-using demens::testing::state_of;
+using demens::test::momenta_of;
+using demens::test::state_of;
 
 constexpr double g = 9.81, r = 0.01;
 
@@ -20,7 +20,7 @@ contact::Model stone(double friction, double rolling_friction = 0)
     pair.static_friction = pair.kinetic_friction = friction;
     pair.rolling = rolling_friction > 0 ? contact::RollingLaw::constant_torque : contact::RollingLaw::none;
     pair.rolling_friction = rolling_friction;
-    return demens::testing::one_material({"stone", 2500, 1e7, 0.3}, pair);
+    return demens::test::one_material({"stone", 2500, 1e7, 0.3}, pair);
 }
 
 double const mass = 2500 * 4.0 / 3 * std::numbers::pi * r * r * r;

@@ -1,6 +1,8 @@
 // Quaternions turn as rotations do.
 #include "demens/base/quaternion.hpp"
 
+#include "tests/support/near.hpp"
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -8,13 +10,7 @@
 namespace {
 
 using namespace demens;
-
-void expect_near(Vector3 const& a, Vector3 const& b, double tolerance)
-{
-    EXPECT_NEAR(a.x, b.x, tolerance);
-    EXPECT_NEAR(a.y, b.y, tolerance);
-    EXPECT_NEAR(a.z, b.z, tolerance);
-}
+using demens::test::expect_near;
 
 Vector3 const axis = Vector3{1, -2, 0.5} / norm(Vector3{1, -2, 0.5});
 Vector3 const v{0.3, 0.7, -1.1};

@@ -1,5 +1,6 @@
 #include "demens/base/rotation.hpp"
 #include "demens/base/vector3.hpp"
+#include "tests/support/near.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,13 +9,8 @@
 namespace {
 
 using namespace demens;
+using demens::test::expect_near;
 using std::numbers::pi;
-
-void expect_near(Vector3 const& found, Vector3 const& expected)
-{
-    EXPECT_LT(norm(found - expected), 1e-15) << found.x << ' ' << found.y << ' ' << found.z << ", not "
-                                             << expected.x << ' ' << expected.y << ' ' << expected.z;
-}
 
 TEST(Vector3, ProductsAreThoseOfTheAxes)
 {
@@ -39,32 +35,32 @@ TEST(Vector3, AnyNormalIsAUnitVectorAtARightAngle)
 TEST(Rotation, TurnsCounterClockwiseSeenAgainstTheAxis)
 {
     Rotation const quarter = rotation_about({0, 0, 1}, pi / 2);
-    expect_near(quarter({1, 0, 0}), {0, 1, 0});
-    expect_near(quarter({0, 1, 5}), {-1, 0, 5});
-    expect_near(quarter.inverse({0, 1, 0}), {1, 0, 0});
+    expect_near(quarter({1, 0, 0}), {0, 1, 0}, 1e-15);
+    expect_near(quarter({0, 1, 5}), {-1, 0, 5}, 1e-15);
+    expect_near(quarter.inverse({0, 1, 0}), {1, 0, 0}, 1e-15);
     // A third of a turn about the diagonal of a cube moves each axis to the next.
     double const c = 1 / std::sqrt(3.0);
     Rotation const third = rotation_about({c, c, c}, 2 * pi / 3);
-    expect_near(third({1, 0, 0}), {0, 1, 0});
-    expect_near(third({0, 0, 1}), {1, 0, 0});
+    expect_near(third({1, 0, 0}), {0, 1, 0}, 1e-15);
+    expect_near(third({0, 0, 1}), {1, 0, 0}, 1e-15);
 }
 
 TEST(Rotation, ProductsAreDoneFromTheRight)
 {
     Rotation const about_x = rotation_about({1, 0, 0}, pi / 2), about_z = rotation_about({0, 0, 1}, pi / 2);
-    expect_near((about_z * about_x)({0, 1, 0}), {0, 0, 1});  // y -> z -> z
-    expect_near((about_x * about_z)({0, 1, 0}), {-1, 0, 0}); // y -> -x -> -x
+    expect_near((about_z * about_x)({0, 1, 0}), {0, 0, 1}, 1e-15);  // y -> z -> z
+    expect_near((about_x * about_z)({0, 1, 0}), {-1, 0, 0}, 1e-15); // y -> -x -> -x
 }
 
 TEST(Placement, TurnsAndThenShifts)
 {
     Placement const place{rotation_about({0, 0, 1}, pi / 2), {1, 2, 3}};
-    expect_near(place({1, 0, 0}), {1, 3, 3});
-    expect_near(place.inverse({1, 3, 3}), {1, 0, 0});
+    expect_near(place({1, 0, 0}), {1, 3, 3}, 1e-15);
+    expect_near(place.inverse({1, 3, 3}), {1, 0, 0}, 1e-15);
     Placement const about_line = turn_about({1, 0, 9}, {0, 0, 1}, pi); // through (1, 0)
-    expect_near(about_line({0, 0, 4}), {2, 0, 4});
-    expect_near(about_line({1, 0, 7}), {1, 0, 7});
-    expect_near((place * about_line)({0, 0, 4}), place({2, 0, 4}));
+    expect_near(about_line({0, 0, 4}), {2, 0, 4}, 1e-15);
+    expect_near(about_line({1, 0, 7}), {1, 0, 7}, 1e-15);
+    expect_near((place * about_line)({0, 0, 4}), place({2, 0, 4}), 1e-15);
 }
 
 } // namespace

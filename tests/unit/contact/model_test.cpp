@@ -1,6 +1,7 @@
 // A pair of materials from its table: what each law needs, and what no law may have.
 #include "demens/base/error.hpp"
 #include "demens/contact/model.hpp"
+#include "tests/support/fault_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,12 +20,7 @@ OptionValues smallest_table()
 
 std::string refusal(OptionValues const& values)
 {
-    try {
-        contact::make_pair("a", "b", values);
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return "";
+    return test::fault_of([&] { contact::make_pair("a", "b", values); });
 }
 
 TEST(PairTable, LawsNameTheKeyThatTheyLack)

@@ -5,7 +5,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 
 class CudaLedger : public CudaEngine
 {

@@ -9,7 +9,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 
 class Batch : public CudaEngine
 {

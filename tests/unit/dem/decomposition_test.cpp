@@ -13,7 +13,7 @@
 namespace {
 
 using namespace demens;
-using demens::testing::with_team;
+using demens::test::with_team;
 
 constexpr dem::Periods periods{.x = {-1, 1}, .y = {0, 3}};
 

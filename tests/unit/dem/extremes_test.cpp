@@ -13,10 +13,10 @@
 namespace {
 
 using namespace demens;
-using demens::testing::expect_equal;
-using demens::testing::one_material;
-using demens::testing::ReferenceLoop;
-using demens::testing::state_of;
+using demens::test::expect_equal;
+using demens::test::one_material;
+using demens::test::ReferenceLoop;
+using demens::test::state_of;
 
 constexpr Vector3 x_axis{1, 0, 0}, y_axis{0, 1, 0};
 

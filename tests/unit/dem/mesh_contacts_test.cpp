@@ -2,6 +2,7 @@
 #include "demens/base/random.hpp"
 #include "src/dem/cpu/mesh_contacts.hpp"
 #include "tests/support/meshes.hpp"
+#include "tests/support/near.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,9 @@
 namespace {
 
 using namespace demens;
-using demens::testing::drum_triangles;
-using demens::testing::plane_triangles;
+using demens::test::drum_triangles;
+using demens::test::expect_near;
+using demens::test::plane_triangles;
 
 std::vector<Vector3> contacts(shape::TriangleMesh const& mesh, Vector3 const& position, double radius)
 {
@@ -21,13 +23,6 @@ std::vector<Vector3> contacts(shape::TriangleMesh const& mesh, Vector3 const& po
     dem::MeshContactFinder finder;
     auto const found = finder.find(mesh, near, 0, {position, radius, radius});
     return {found.begin(), found.end()};
-}
-
-void expect_near(Vector3 const& a, Vector3 const& b, double tolerance = 1e-12)
-{
-    EXPECT_NEAR(a.x, b.x, tolerance);
-    EXPECT_NEAR(a.y, b.y, tolerance);
-    EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
 TEST(MeshContacts, NearTrianglesAreAllThatAreNear)

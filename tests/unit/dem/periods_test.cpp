@@ -16,8 +16,8 @@ namespace {
 using namespace demens;
 using dem::Period;
 using dem::Periods;
-using demens::testing::momenta_of;
-using demens::testing::state_of;
+using demens::test::momenta_of;
+using demens::test::state_of;
 
 contact::Model stone()
 {

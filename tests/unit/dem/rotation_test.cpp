@@ -2,6 +2,8 @@
 // Mechanics, 35 and 37).
 #include "src/dem/rotation.hpp"
 
+#include "tests/support/near.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +12,7 @@
 namespace {
 
 using namespace demens;
+using demens::test::expect_near;
 using namespace demens::dem;
 
 constexpr double pi = std::numbers::pi;
@@ -18,13 +21,6 @@ constexpr Vector3 inertia{1, 2, 3};
 double energy_of(RigidTurn const& body)
 {
     return rotational_energy(body.orientation.rotation(), body.angular_momentum, inertia);
-}
-
-void expect_near(Vector3 const& found, Vector3 const& expected, double tolerance)
-{
-    EXPECT_NEAR(found.x, expected.x, tolerance);
-    EXPECT_NEAR(found.y, expected.y, tolerance);
-    EXPECT_NEAR(found.z, expected.z, tolerance);
 }
 
 TEST(Rotation, AsymmetricTopKeepsEnergyAndAngularMomentumOverAHundredTurns)

@@ -12,7 +12,7 @@
 namespace {
 
 using namespace demens;
-using demens::testing::state_of;
+using demens::test::state_of;
 
 constexpr double r = 1e-3, dt = 1e-5, g = 9.81;
 

@@ -14,8 +14,8 @@
 namespace {
 
 using namespace demens;
-using demens::testing::fault_of;
-using demens::testing::state_of;
+using demens::test::fault_of;
+using demens::test::state_of;
 
 constexpr double r = 2e-3;
 
@@ -194,7 +194,7 @@ TEST(StateRecord, OfWhatIsLeftWhenParticlesWereTakenOut)
         if (ranks == 0)
             check(nullptr);
         else
-            demens::testing::with_team(ranks, [&](dem::Team& team) { check(&team); });
+            demens::test::with_team(ranks, [&](dem::Team& team) { check(&team); });
     }
 }
 
@@ -221,7 +221,7 @@ TEST(StateRecord, OfATeamGoesOnWithTheSameBits)
     for (int const ranks : {1, 2, 3}) {
         std::vector<std::byte> bytes;
         SCOPED_TRACE(::testing::Message() << ranks << " ranks");
-        demens::testing::with_team(ranks, [&](dem::Team& team) {
+        demens::test::with_team(ranks, [&](dem::Team& team) {
             auto const how = options(true, true, &team);
             auto whole = settling_bed(how);
             auto at_first = reloaded(how, whole.save());
@@ -237,7 +237,7 @@ TEST(StateRecord, OfATeamGoesOnWithTheSameBits)
         });
         auto const record = dem::StateRecord::from_bytes(bytes);
         EXPECT_THROW(dem::Simulation::restore(model(), options(true, true), record), InputError);
-        demens::testing::with_team(4, [&](dem::Team& team) {
+        demens::test::with_team(4, [&](dem::Team& team) {
             EXPECT_THROW(dem::Simulation::restore(model(), options(true, true, &team), record), InputError);
         });
     }
@@ -297,7 +297,7 @@ TEST(StateRecord, OfAnotherSimulationIsRefused)
     auto laws = model();
     laws.pairs[0].tangential = contact::TangentialLaw::mindlin_rescale;
     expect(fault(laws, same), "laws");
-    demens::testing::with_team(2, [&](dem::Team& team) {
+    demens::test::with_team(2, [&](dem::Team& team) {
         auto shared = same;
         shared.team = &team;
         expect(fault(model(), shared), "team");

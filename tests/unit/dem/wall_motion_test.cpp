@@ -1,6 +1,7 @@
 // Laws of motion of walls.
 #include "demens/base/error.hpp"
 #include "demens/dem/simulation.hpp"
+#include "tests/support/near.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@ namespace {
 
 using namespace demens;
 using dem::WallMotion;
+using demens::test::expect_near;
 
 constexpr double quarter = 0.5 * std::numbers::pi;
 
@@ -22,13 +24,6 @@ dem::Wall moved(dem::Wall wall, std::vector<WallMotion> const& motions, double t
 {
     dem::MovedWall(wall, motions).move(wall, time, time);
     return wall;
-}
-
-void expect_near(Vector3 const& a, Vector3 const& b, double tolerance = 1e-12)
-{
-    EXPECT_NEAR(a.x, b.x, tolerance);
-    EXPECT_NEAR(a.y, b.y, tolerance);
-    EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
 TEST(WallMotion, LastsFromItsStartToItsEnd)

@@ -1,6 +1,8 @@
 // Nearest points of the wall shapes, and how walls are moved.
 #include "demens/dem/wall.hpp"
 
+#include "tests/support/near.hpp"
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -8,13 +10,7 @@
 namespace {
 
 using namespace demens;
-
-void expect_near(Vector3 const& a, Vector3 const& b, double tolerance = 1e-12)
-{
-    EXPECT_NEAR(a.x, b.x, tolerance);
-    EXPECT_NEAR(a.y, b.y, tolerance);
-    EXPECT_NEAR(a.z, b.z, tolerance);
-}
+using demens::test::expect_near;
 
 TEST(WallShape, RectangleIsTouchedOnItsFaceAnEdgeOrACorner)
 {

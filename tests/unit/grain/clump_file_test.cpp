@@ -1,6 +1,7 @@
 // Tables of spheres as generators write them.
 #include "demens/base/error.hpp"
 #include "demens/grain/clump_file.hpp"
+#include "tests/support/fault_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,14 +17,9 @@ Clump read(std::string const& text, double scale = 1)
     return read_clump(text, "rod.csv", scale);
 }
 
-std::string refusal(std::string const& text)
+std::string refusal_of_file(std::string const& text)
 {
-    try {
-        read(text);
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return "";
+    return test::fault_of([&] { read(text); });
 }
 
 TEST(ClumpFile, IsReadWithAndWithoutNamesHoweverSeparated)
@@ -46,15 +42,17 @@ TEST(ClumpFile, IsWrittenAsItIsRead)
 
 TEST(ClumpFile, SaysWhereItIsWrong)
 {
-    EXPECT_NE(refusal("x,y,z,r\n0,0,0,1\n0,one,0,1\n").find("rod.csv:3: column y: \"one\" is not a number"),
+    EXPECT_NE(
+        refusal_of_file("x,y,z,r\n0,0,0,1\n0,one,0,1\n").find("rod.csv:3: column y: \"one\" is not a number"),
+        std::string::npos);
+    EXPECT_NE(refusal_of_file("0,0,0,1\n0,0,1\n").find("rod.csv:2: has 3 values"), std::string::npos);
+    EXPECT_NE(refusal_of_file("0,0,0,1\n0,0,,1\n").find("rod.csv:2: the column z is empty"),
               std::string::npos);
-    EXPECT_NE(refusal("0,0,0,1\n0,0,1\n").find("rod.csv:2: has 3 values"), std::string::npos);
-    EXPECT_NE(refusal("0,0,0,1\n0,0,,1\n").find("rod.csv:2: the column z is empty"), std::string::npos);
-    EXPECT_EQ(refusal("0,0,0,1\n0,0,1,-2\n"), "rod.csv:2: the radius -2 must be above 0");
-    EXPECT_NE(refusal("x,y,z,d\n0,0,0,1\n").find("no column `r`"), std::string::npos);
-    EXPECT_NE(refusal("x,y,z,r\n").find("holds no numbers; lines of x, y, z, r are expected"),
+    EXPECT_EQ(refusal_of_file("0,0,0,1\n0,0,1,-2\n"), "rod.csv:2: the radius -2 must be above 0");
+    EXPECT_NE(refusal_of_file("x,y,z,d\n0,0,0,1\n").find("no column `r`"), std::string::npos);
+    EXPECT_NE(refusal_of_file("x,y,z,r\n").find("holds no numbers; lines of x, y, z, r are expected"),
               std::string::npos);
-    EXPECT_NE(refusal("0,0,0,1\n5,0,0,1\n").find("do not hang together"), std::string::npos);
+    EXPECT_NE(refusal_of_file("0,0,0,1\n5,0,0,1\n").find("do not hang together"), std::string::npos);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // Unions of spheres against closed forms, and against counting points for many.
 #include "demens/base/error.hpp"
 #include "demens/grain/clump.hpp"
+#include "tests/support/fault_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -219,26 +220,21 @@ TEST(Clump, InItsPrincipalAxesHasNoTurnLeft)
     EXPECT_NEAR(grown.moments.z, expected.moments.z, 1e-9 * expected.moments.z);
 }
 
-std::string refusal(Clump const& clump)
+std::string refusal_of_clump(Clump const& clump)
 {
-    try {
-        check(clump, "shape.rod");
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return "";
+    return test::fault_of([&] { check(clump, "shape.rod"); });
 }
 
 TEST(Clump, OfNoSpheresOrSeveralPartsIsRefused)
 {
-    EXPECT_EQ(refusal({{{0, 0, 0}, 1}, {{2, 0, 0}, 1}}), ""); // they touch
-    EXPECT_EQ(refusal({}), "shape.rod: a clump needs at least one sphere");
-    EXPECT_NE(refusal({{{0, 0, 0}, 1}, {{1, 0, 0}, -1}}).find("sphere 2 of 2 has the radius -1 m"),
+    EXPECT_EQ(refusal_of_clump({{{0, 0, 0}, 1}, {{2, 0, 0}, 1}}), ""); // they touch
+    EXPECT_EQ(refusal_of_clump({}), "shape.rod: a clump needs at least one sphere");
+    EXPECT_NE(refusal_of_clump({{{0, 0, 0}, 1}, {{1, 0, 0}, -1}}).find("sphere 2 of 2 has the radius -1 m"),
               std::string::npos);
-    EXPECT_NE(refusal({{{0, 0, NAN}, 1}}).find("sphere 1 of 1 is not finite"), std::string::npos);
+    EXPECT_NE(refusal_of_clump({{{0, 0, NAN}, 1}}).find("sphere 1 of 1 is not finite"), std::string::npos);
     Clump const apart = {{{0, 0, 0}, 1}, {{1, 0, 0}, 1}, {{5, 0, 0}, 1}, {{6, 0, 0}, 1}, {{9, 0, 0}, 1}};
     EXPECT_EQ(parts(apart), (std::vector<int>{0, 0, 1, 1, 2}));
-    EXPECT_NE(refusal(apart).find("they make 3 parts: sphere 3 neither"), std::string::npos);
+    EXPECT_NE(refusal_of_clump(apart).find("they make 3 parts: sphere 3 neither"), std::string::npos);
 }
 
 } // namespace

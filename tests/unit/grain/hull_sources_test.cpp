@@ -1,6 +1,7 @@
 // Hulls from four numbers, from surfaces and from tables.
 #include "demens/base/error.hpp"
 #include "demens/grain/hull_sources.hpp"
+#include "tests/support/fault_of.hpp"
 #include "tests/unit/grain/hulls.hpp"
 
 #include <gtest/gtest.h>
@@ -10,14 +11,9 @@ namespace {
 using namespace demens;
 using namespace demens::grain;
 
-std::string refusal(SuperquadricHull const& shape)
+std::string refusal_of_shape(SuperquadricHull const& shape)
 {
-    try {
-        superquadric_hull(shape, "shape.quartz");
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return "";
+    return test::fault_of([&] { superquadric_hull(shape, "shape.quartz"); });
 }
 
 //! Moncada et al. 2023, table 4: horizontal and vertical aspect ratio, corners, degree.
@@ -50,13 +46,15 @@ TEST(SuperquadricHull, WithManyCornersIsTheSuperquadric)
 
 TEST(SuperquadricHull, OfBadNumbersIsRefused)
 {
-    EXPECT_EQ(refusal({}), "");
-    EXPECT_EQ(refusal({.vertical_aspect = 0}),
+    EXPECT_EQ(refusal_of_shape({}), "");
+    EXPECT_EQ(refusal_of_shape({.vertical_aspect = 0}),
               "shape.quartz: the vertical aspect ratio 0 must be from 0.01 to 100");
-    EXPECT_NE(refusal({.horizontal_aspect = -1}).find("horizontal aspect ratio -1"), std::string::npos);
-    EXPECT_EQ(refusal({.corners = 3}), "shape.quartz: the number of corners 3 must be from 4 to 1024");
-    EXPECT_NE(refusal({.degree = 0.5}).find("degree 0.5 must be from 1.1 to 20"), std::string::npos);
-    EXPECT_NE(refusal({.degree = NAN}).find("degree nan"), std::string::npos);
+    EXPECT_NE(refusal_of_shape({.horizontal_aspect = -1}).find("horizontal aspect ratio -1"),
+              std::string::npos);
+    EXPECT_EQ(refusal_of_shape({.corners = 3}),
+              "shape.quartz: the number of corners 3 must be from 4 to 1024");
+    EXPECT_NE(refusal_of_shape({.degree = 0.5}).find("degree 0.5 must be from 1.1 to 20"), std::string::npos);
+    EXPECT_NE(refusal_of_shape({.degree = NAN}).find("degree nan"), std::string::npos);
 }
 
 TEST(SurfaceHull, SaysHowMuchItTakesTooMuch)

@@ -4,6 +4,7 @@
 #include "demens/base/error.hpp"
 #include "demens/grain/rounded_hull.hpp"
 #include "demens/shape/triangle_mesh.hpp"
+#include "tests/support/fault_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,14 +17,9 @@ using namespace demens;
 using namespace demens::grain;
 using std::numbers::pi;
 
-std::string refusal(std::vector<Vector3> const& points)
+std::string refusal_of_hull(std::vector<Vector3> const& points)
 {
-    try {
-        convex_hull(points, "shape.ore");
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return "";
+    return test::fault_of([&] { convex_hull(points, "shape.ore"); });
 }
 
 TEST(Hull, OfABoxHasSixFacesWhateverPointsAreOnThem)
@@ -79,17 +75,19 @@ TEST(Hull, OfTheSamePointsHasTheSameBits)
 
 TEST(Hull, WithoutAVolumeIsRefused)
 {
-    EXPECT_EQ(refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
+    EXPECT_EQ(refusal_of_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
               "shape.ore: a hull needs at least four points, there are 3");
-    EXPECT_NE(refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-8}}).find("all 4 points lie in a plane"),
+    EXPECT_NE(
+        refusal_of_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-8}}).find("all 4 points lie in a plane"),
+        std::string::npos);
+    EXPECT_NE(refusal_of_hull({{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, {3, 3, 0}}).find("lie on a line"),
               std::string::npos);
-    EXPECT_NE(refusal({{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, {3, 3, 0}}).find("lie on a line"), std::string::npos);
-    EXPECT_NE(refusal({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}}).find("all 4 points are one"),
+    EXPECT_NE(refusal_of_hull({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}}).find("all 4 points are one"),
               std::string::npos);
-    EXPECT_NE(refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, INFINITY}}).find("point 4 of 4"),
+    EXPECT_NE(refusal_of_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, INFINITY}}).find("point 4 of 4"),
               std::string::npos);
-    EXPECT_NE(refusal(spiral(3000, 1)).find("has 3000 corners, more than 1024"), std::string::npos);
-    EXPECT_EQ(refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-4}}), ""); // thin, but a body
+    EXPECT_NE(refusal_of_hull(spiral(3000, 1)).find("has 3000 corners, more than 1024"), std::string::npos);
+    EXPECT_EQ(refusal_of_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-4}}), ""); // thin, but a body
 }
 
 TEST(RoundedHull, OfABoxKeepsItsFacesAndHasSteinersVolume)

@@ -1,6 +1,7 @@
 // Mass properties against closed forms, and the conventions that make their bits reproducible.
 #include "demens/base/error.hpp"
 #include "demens/grain/mesh_mass.hpp"
+#include "tests/support/fault_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -102,25 +103,21 @@ TEST(MassProperties, ScaleWithTheThirdAndFifthPower)
     EXPECT_NEAR(grown.inertia.xy, larger.inertia.xy, 1e-14);
 }
 
-std::string refusal(shape::TriangleSoup const& soup)
+std::string refusal_of_surface(shape::TriangleSoup const& soup)
 {
-    try {
-        mass_properties(shape::TriangleMesh(soup), "part.stl");
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return "";
+    return test::fault_of([&] { mass_properties(shape::TriangleMesh(soup), "part.stl"); });
 }
 
 TEST(MassProperties, OfAnOpenOrFlatSurfaceAreRefused)
 {
     auto open = shape::box_triangles({0, 0, 0}, {1, 1, 1});
     open.pop_back();
-    EXPECT_NE(refusal(open).find("part.stl: a body needs a closed surface, but 3 edges"), std::string::npos)
-        << refusal(open);
+    EXPECT_NE(refusal_of_surface(open).find("part.stl: a body needs a closed surface, but 3 edges"),
+              std::string::npos)
+        << refusal_of_surface(open);
     shape::TriangleSoup const flat = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
                                       {{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}}};
-    EXPECT_NE(refusal(flat).find("is it flat"), std::string::npos) << refusal(flat);
+    EXPECT_NE(refusal_of_surface(flat).find("is it flat"), std::string::npos) << refusal_of_surface(flat);
 }
 
 } // namespace

@@ -9,7 +9,7 @@
 namespace {
 
 using namespace demens;
-using demens::testing::DrumPhotograph;
+using demens::test::DrumPhotograph;
 using observe::Rotation;
 
 constexpr double drum_radius = 0.042;

@@ -3,6 +3,7 @@
 #include "demens/observe/circular_segment.hpp"
 #include "demens/rig/programme/programme.hpp"
 #include "demens/rig/rig.hpp"
+#include "tests/support/fault_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -66,12 +67,7 @@ std::map<std::string, double> responses(rig::RunResult const& result)
 
 std::string refusal(rig::RunInput const& input)
 {
-    try {
-        rig::find_rig("drum")->check(input);
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return "";
+    return test::fault_of([&] { rig::find_rig("drum")->check(input); });
 }
 
 std::string refusal(std::string const& key, double value)

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 //! Small runs of rigs whose grains are not spheres.
-namespace demens::testing {
+namespace demens::test {
 
 //! Some 250 grains of 2 mm, or what `mass` makes, of rods and spheres.
 inline rig::RunInput input_of(std::string const& rig, grain::ShapeMixture const& mixture)
@@ -118,4 +118,4 @@ inline rig::RunResult run_and_go_on(std::string const& name, rig::RunInput const
     return whole;
 }
 
-} // namespace demens::testing
+} // namespace demens::test

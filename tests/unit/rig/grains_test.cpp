@@ -12,7 +12,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 
 constexpr double pi = std::numbers::pi;
 
@@ -80,7 +80,7 @@ TEST(GrainsInRigs, DrumTurnsThemAndGoesOnFromARecordWithTheSameBits)
 
 TEST(GrainsInRigs, DrawDownTestEmptiesThroughItsSlot)
 {
-    auto input = demens::testing::small_drawdown(1);
+    auto input = demens::test::small_drawdown(1);
     input.shapes_of_sizes.emplace("gravel", only(rod(2)));
     auto const result = run("drawdown", input);
     double const left = response("drawdown", result, "final_mass_kg");
@@ -107,7 +107,7 @@ TEST(GrainsInRigs, EnginesAndRanksThatCannotAreRefusedBeforeTheRun)
 
 TEST(GrainsInRigs, BulkDensityBeyondThatOfSpheresIsPossible)
 {
-    auto input = demens::testing::small_drawdown(1);
+    auto input = demens::test::small_drawdown(1);
     input.experiment.set("bulk_density", 0.8 * 2600);
     auto const& drawdown = *rig::find_rig("drawdown");
     EXPECT_NE(fault_of([&] { drawdown.check(input); }).find("cannot be reached"), std::string::npos);

@@ -12,7 +12,7 @@
 namespace {
 
 using namespace demens;
-using namespace demens::testing;
+using namespace demens::test;
 
 grain::GrainShape rounded_shape(grain::Hull const& hull, double rounding)
 {

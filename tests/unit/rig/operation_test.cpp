@@ -2,6 +2,7 @@
 #include "demens/base/error.hpp"
 #include "demens/rig/programme/programme.hpp"
 #include "src/rig/common.hpp"
+#include "tests/support/fault_of.hpp"
 #include "tests/support/small_drawdown.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@
 namespace {
 
 using namespace demens;
-using demens::testing::small_drawdown;
+using demens::test::small_drawdown;
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -24,12 +25,7 @@ dem::SimulationOptions built(rig::RunInput const& input)
 
 std::string refusal(rig::RunInput const& input)
 {
-    try {
-        rig::find_rig("drawdown")->check(input);
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return "";
+    return test::fault_of([&] { rig::find_rig("drawdown")->check(input); });
 }
 
 TEST(Operation, ARigLeansInAnyDirectionAndKeepsTheStrengthOfGravity)

@@ -12,7 +12,7 @@
 namespace {
 
 using namespace demens;
-using demens::testing::small_drawdown;
+using demens::test::small_drawdown;
 
 //! The refusal of a changed input.
 std::string refusal(std::string const& key, double value)

@@ -1,7 +1,8 @@
 #include "tao_calib/objective.hpp"
 
+#include "demens/base/not_a_number.hpp"
+
 #include <gtest/gtest.h>
-#include <limits>
 
 namespace demens::tao_calib {
 namespace {
@@ -9,13 +10,11 @@ namespace {
 using Eigen::VectorXd;
 using ensemble::ObjectiveKind;
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 CampaignTarget target(std::string const& name, double value, double scale, double sd)
 {
     CampaignTarget result;
     result.name = "drum." + name;
-    result.target = {name, 0, value, scale, sd, none};
+    result.target = {name, 0, value, scale, sd, not_a_number};
     return result;
 }
 
@@ -27,7 +26,7 @@ Objective inconel(ObjectiveKind kind, bool redundant = false)
     if (redundant)
         options.combinations = {{"break - rest = avalanche", {1, -1, 0}, 2}};
     return Objective({target("break", 28.52, 1, 0.484), target("rest", 26.08, 1, 0.26),
-                      target("avalanche", 2.44, 0.5, none)},
+                      target("avalanche", 2.44, 0.5, not_a_number)},
                      options);
 }
 
@@ -48,14 +47,14 @@ TEST(ObjectiveKinds, RootSumOfSquaresWithTheRedundantFourthResidual)
 TEST(ObjectiveKinds, RelativeDeviationsOfTheWoodPaper)
 {
     // Spruce by ARSM: 55.1, 1.1, 0.957 for 54.5, 1.2, 0.95: 0.0110 + 0.0833 + 0.0074 = 0.102.
-    Objective const spruce(
-        {target("area", 54.5, 1, none), target("sd", 1.2, 1, none), target("r2", 0.95, 1, none)},
-        {ObjectiveKind::relative_deviations, {}});
+    Objective const spruce({target("area", 54.5, 1, not_a_number), target("sd", 1.2, 1, not_a_number),
+                            target("r2", 0.95, 1, not_a_number)},
+                           {ObjectiveKind::relative_deviations, {}});
     EXPECT_NEAR(spruce.value(VectorXd{{55.1, 1.1, 0.957}}), 0.102, 5e-4);
     // Poplar: 60.9, 0.79, 0.981 for 60.2, 0.78, 0.989: 0.033.
-    Objective const poplar(
-        {target("area", 60.2, 1, none), target("sd", 0.78, 1, none), target("r2", 0.989, 1, none)},
-        {ObjectiveKind::relative_deviations, {}});
+    Objective const poplar({target("area", 60.2, 1, not_a_number), target("sd", 0.78, 1, not_a_number),
+                            target("r2", 0.989, 1, not_a_number)},
+                           {ObjectiveKind::relative_deviations, {}});
     EXPECT_NEAR(poplar.value(VectorXd{{60.9, 0.79, 0.981}}), 0.033, 5e-4);
 }
 

@@ -1,14 +1,13 @@
 #include "tao_calib/objective.hpp"
 
+#include "demens/base/not_a_number.hpp"
+
 #include <gtest/gtest.h>
-#include <limits>
 
 namespace demens::tao_calib {
 namespace {
 
 using Eigen::VectorXd;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 CampaignTarget target(std::string const& name, int index, double value, double scale, double sd,
                       double tolerance)
@@ -25,13 +24,13 @@ CampaignTarget target(std::string const& name, int index, double value, double s
 }
 
 //! Quartz in the Draw Down Test (Moncada et al. 2023): measured values and scales.
-Objective quartz(double tolerance = none)
+Objective quartz(double tolerance = not_a_number)
 {
     std::vector<CampaignTarget> targets;
     double const values[] = {26.25, 42.03, 4.83, 7.09}, scales[] = {2.0, 2.0, 0.3, 0.5};
     char const* const names[] = {"angle_of_repose_deg", "shear_angle_deg", "mass_flow_kg_s", "final_mass_kg"};
     for (int t = 0; t < 4; ++t)
-        targets.push_back(target(names[t], t, values[t], scales[t], none, tolerance * scales[t]));
+        targets.push_back(target(names[t], t, values[t], scales[t], not_a_number, tolerance * scales[t]));
     return Objective(targets);
 }
 
@@ -62,7 +61,8 @@ TEST(Objective, IsWithinToleranceOnlyWhereOneIsGiven)
 
 TEST(Objective, TakesTheScaleWhereNoMeasurementErrorIsGiven)
 {
-    Objective const objective({target("a", 0, 1, 2.0, 0.8, none), target("b", 1, 1, 0.3, none, none)});
+    Objective const objective(
+        {target("a", 0, 1, 2.0, 0.8, not_a_number), target("b", 1, 1, 0.3, not_a_number, not_a_number)});
     EXPECT_EQ(objective.measurement_sd(), (VectorXd{{0.8, 0.3}}));
 }
 

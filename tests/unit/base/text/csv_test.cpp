@@ -1,6 +1,7 @@
 // Tables as spreadsheets and programs write them, and what is said about those that cannot be read.
 #include "demens/base/error.hpp"
 #include "demens/base/text/csv.hpp"
+#include "tests/support/fault_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,12 +25,7 @@ Numbers column(std::string const& text, std::string const& name)
 
 std::string refusal(std::string const& text, std::string const& name = "y")
 {
-    try {
-        column(text, name);
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return "";
+    return demens::test::fault_of([&] { column(text, name); });
 }
 
 TEST(NumberOf, SignsExponentsAndMarks)

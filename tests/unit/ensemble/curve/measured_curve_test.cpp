@@ -2,6 +2,7 @@
 
 #include "demens/base/error.hpp"
 #include "demens/base/random.hpp"
+#include "tests/support/fault_of.hpp"
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -17,12 +18,7 @@ CurveColumns const mass_over_time{"t_ms", "m_g", "s", "kg"};
 
 std::string message_about(std::string const& csv, CurveColumns const& columns = mass_over_time)
 {
-    try {
-        read_curve(csv, "balance.csv", columns);
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
+    return test::fault_of([&] { read_curve(csv, "balance.csv", columns); });
 }
 
 TEST(MeasuredCurve, IsReadInTheUnitsOfTheSimulatedOne)

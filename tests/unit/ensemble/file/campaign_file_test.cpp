@@ -3,7 +3,7 @@
 #include "ensemble/session.hpp"
 #include "ensemble/storage/durable.hpp"
 #include "ensemble/verdict.hpp"
-#include "tests/mpi/formula_rig.hpp"
+#include "tests/mpi/finished_campaign.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -14,17 +14,6 @@ using namespace demens::ensemble;
 using namespace demens::test;
 
 namespace {
-
-//! The message of the InputError that opening a file gives.
-std::string refusal(std::string const& file)
-{
-    try {
-        read_campaign_file(file, formula_rigs());
-        return "accepted";
-    } catch (InputError const& error) {
-        return error.what();
-    }
-}
 
 void create(std::string const& file)
 {
@@ -94,10 +83,10 @@ TEST(CampaignFile, IsNotOverwritten)
 
 TEST(CampaignFile, RefusesWhatIsNoCampaign)
 {
-    EXPECT_EQ(refusal("missing.h5"),
+    EXPECT_EQ(refusal_of_campaign("missing.h5"),
               "missing.h5: no such file; a campaign file is made by: demens new FILE.toml");
     std::ofstream("text.h5") << "not HDF5";
-    EXPECT_EQ(refusal("text.h5"),
+    EXPECT_EQ(refusal_of_campaign("text.h5"),
               "text.h5: not a campaign file, since it is not HDF5; a campaign file is made by: "
               "demens new FILE.toml");
     {
@@ -105,8 +94,9 @@ TEST(CampaignFile, RefusesWhatIsNoCampaign)
         hdf5::write_text(other, "/greeting", "hello");
         write_durably("other.h5", other.take_image());
     }
-    EXPECT_NE(refusal("other.h5").find("other.h5: an HDF5 file but not a campaign"), std::string::npos)
-        << refusal("other.h5");
+    EXPECT_NE(refusal_of_campaign("other.h5").find("other.h5: an HDF5 file but not a campaign"),
+              std::string::npos)
+        << refusal_of_campaign("other.h5");
 }
 
 TEST(CampaignFile, RefusesANewerFormat)
@@ -116,7 +106,7 @@ TEST(CampaignFile, RefusesANewerFormat)
     hdf5::set_attribute(file, "/", "format_version", std::int64_t{3});
     hdf5::set_attribute(file, "/", "program_version", "9.0.0");
     file.close();
-    EXPECT_EQ(refusal("newer.h5"),
+    EXPECT_EQ(refusal_of_campaign("newer.h5"),
               "newer.h5: campaign format 3 is newer than this program, which reads up to format 2; "
               "use the demens that wrote it (version 9.0.0) or a later one");
 }
@@ -125,5 +115,6 @@ TEST(CampaignFile, RefusesATruncatedFile)
 {
     create("cut.h5");
     std::filesystem::resize_file("cut.h5", std::filesystem::file_size("cut.h5") / 2);
-    EXPECT_NE(refusal("cut.h5").find("cut.h5: damaged"), std::string::npos) << refusal("cut.h5");
+    EXPECT_NE(refusal_of_campaign("cut.h5").find("cut.h5: damaged"), std::string::npos)
+        << refusal_of_campaign("cut.h5");
 }

@@ -14,16 +14,6 @@ using ::testing::HasSubstr;
 
 namespace {
 
-std::string refusal(std::string const& file)
-{
-    try {
-        read_campaign_file(file, formula_rigs());
-        return "accepted";
-    } catch (InputError const& error) {
-        return error.what();
-    }
-}
-
 //! What is said of a campaign that was changed by HDF5's own functions.
 std::string refusal_after(std::function<void(hid_t)> const& change)
 {
@@ -31,7 +21,7 @@ std::string refusal_after(std::function<void(hid_t)> const& change)
     auto file = hdf5::open_to_write("changed.h5");
     change(file);
     file.close();
-    return refusal("changed.h5");
+    return refusal_of_campaign("changed.h5");
 }
 
 //! A dataset takes the place of another, with a right check sum.
@@ -65,7 +55,7 @@ std::vector<std::string> datasets_below(hid_t file, std::string const& group)
 TEST(DamagedFile, AFlippedBitInAnyDatasetIsRefusedByName)
 {
     create_finished_campaign("whole.h5");
-    ASSERT_EQ(refusal("whole.h5"), "accepted");
+    ASSERT_EQ(refusal_of_campaign("whole.h5"), "accepted");
     auto const image = read_bytes("whole.h5");
     int flipped = 0;
     auto const file = hdf5::open_to_read("whole.h5");
@@ -77,7 +67,7 @@ TEST(DamagedFile, AFlippedBitInAnyDatasetIsRefusedByName)
             auto damaged = image;
             damaged.at(place + (size - 1) * static_cast<std::size_t>(k) / 3) ^= std::byte(1 << (k * 5 % 8));
             write_durably("flipped.h5", damaged);
-            EXPECT_THAT(refusal("flipped.h5"), HasSubstr(path + " is damaged")) << path;
+            EXPECT_THAT(refusal_of_campaign("flipped.h5"), HasSubstr(path + " is damaged")) << path;
             ++flipped;
         }
     }
@@ -94,7 +84,7 @@ TEST(DamagedFile, AFlippedBitAnywhereDoesNoHarm)
         auto damaged = image;
         damaged.at(image.size() * k / places) ^= std::byte(1 << (k % 8));
         write_durably("flipped.h5", damaged);
-        refused += refusal("flipped.h5") != "accepted";
+        refused += refusal_of_campaign("flipped.h5") != "accepted";
     }
     EXPECT_GE(refused, places / 2); // the others lie where nothing is stored
 }

@@ -16,17 +16,6 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-//! The message about a text; empty when it is accepted.
-std::string message_about(std::string const& text)
-{
-    try {
-        ensemble::CampaignInput::from_text(text, "test.toml", rigs());
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
-}
-
 //! The message about the good campaign with one piece replaced.
 std::string message_with(std::string const& piece, std::string const& by)
 {

@@ -12,22 +12,7 @@ namespace {
 using namespace ensemble;
 using ::testing::HasSubstr;
 
-ensemble::CampaignInput read(std::string const& text)
-{
-    return ensemble::CampaignInput::from_text(text, "test.toml", rigs());
-}
-
-std::string message_about(std::string const& text)
-{
-    try {
-        read(text);
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
-}
-
-std::string with(std::string const& section)
+std::string with_section(std::string const& section)
 {
     return good_campaign() + "\n" + section;
 }
@@ -43,7 +28,7 @@ std::string with_flow(std::string const& members)
 TEST(ScreeningInput, IsReadAndWrittenAgain)
 {
     auto const text = "[screening]\npoints = 4\nsignificance = 0.1\ngenerators = [\"C=AB\"]\n";
-    auto const campaign = read(with(text));
+    auto const campaign = read(with_section(text));
     EXPECT_EQ(campaign.screening.points, 4);
     EXPECT_EQ(campaign.screening.centre_repetitions, 1);
     EXPECT_EQ(campaign.screening.significance, 0.1);
@@ -55,19 +40,20 @@ TEST(ScreeningInput, IsReadAndWrittenAgain)
 
 TEST(ScreeningInput, NeedsAPowerOfTwoThatTellsTheFactorsApart)
 {
-    EXPECT_THAT(message_about(with("[screening]\npoints = 6\n")), HasSubstr("must be a power of 2"));
-    EXPECT_THAT(message_about(with("[screening]\npoints = 64\n")), HasSubstr("the screening needs 195 runs"));
-    EXPECT_THAT(
-        message_about(replaced(with("[screening]\npoints = 4\n"), "kind = \"latin_hypercube\"\npoints = 12",
-                               "kind = \"table\"\ntable = [[0.5, 0.4, 1e7]]")),
-        HasSubstr("cannot go before a [design] with a table"));
+    EXPECT_THAT(message_about(with_section("[screening]\npoints = 6\n")), HasSubstr("must be a power of 2"));
+    EXPECT_THAT(message_about(with_section("[screening]\npoints = 64\n")),
+                HasSubstr("the screening needs 195 runs"));
+    EXPECT_THAT(message_about(replaced(with_section("[screening]\npoints = 4\n"),
+                                       "kind = \"latin_hypercube\"\npoints = 12",
+                                       "kind = \"table\"\ntable = [[0.5, 0.4, 1e7]]")),
+                HasSubstr("cannot go before a [design] with a table"));
 }
 
 TEST(ObjectiveInput, ReadsCombinationsOfTargets)
 {
     auto const campaign =
-        read(with("[objective]\nkind = \"root_sum_of_squares\"\ncombinations = [\"2*angle_deg - "
-                  "drop.rebound = flow_kg_s\"]\n"));
+        read(with_section("[objective]\nkind = \"root_sum_of_squares\"\ncombinations = [\"2*angle_deg - "
+                          "drop.rebound = flow_kg_s\"]\n"));
     EXPECT_EQ(campaign.objective.kind, ObjectiveKind::root_sum_of_squares);
     ASSERT_EQ(campaign.objective.combinations.size(), 1u);
     EXPECT_EQ(campaign.objective.combinations[0].coefficients, (std::vector<double>{2, 0, -1}));
@@ -77,11 +63,11 @@ TEST(ObjectiveInput, ReadsCombinationsOfTargets)
 
 TEST(ObjectiveInput, SaysWhatIsWrong)
 {
-    EXPECT_THAT(message_about(with("[objective]\ncombinations = [\"angle_deg - flow\"]\n")),
+    EXPECT_THAT(message_about(with_section("[objective]\ncombinations = [\"angle_deg - flow\"]\n")),
                 HasSubstr("write a sum of responses, = and a target"));
-    EXPECT_THAT(message_about(with("[objective]\ncombinations = [\"angel_deg = flow_kg_s\"]\n")),
+    EXPECT_THAT(message_about(with_section("[objective]\ncombinations = [\"angel_deg = flow_kg_s\"]\n")),
                 HasSubstr("\"angel_deg\" has no target"));
-    EXPECT_THAT(message_about(replaced(with("[objective]\nkind = \"relative_deviations\"\n"),
+    EXPECT_THAT(message_about(replaced(with_section("[objective]\nkind = \"relative_deviations\"\n"),
                                        "{ value = 0.4, scale = 0.1 }", "{ value = 0, scale = 0.1 }")),
                 HasSubstr("relative deviations need targets other than 0, but that of drop.rebound is 0"));
 }

@@ -1,5 +1,6 @@
 #include "ensemble/input/campaign_input.hpp"
 
+#include "tests/support/fault_of.hpp"
 #include "tests/unit/ensemble/input/test_rigs.hpp"
 
 #include <cmath>
@@ -13,11 +14,6 @@ namespace {
 
 using ensemble::CampaignInput;
 using testing::HasSubstr;
-
-CampaignInput read(std::string const& text)
-{
-    return CampaignInput::from_text(text, "test.toml", rigs());
-}
 
 TEST(CampaignInput, HoldsWhatTheAuthorWrote)
 {
@@ -218,12 +214,7 @@ CampaignInput with_design_file(std::string const& csv)
 
 std::string refusal_of_design_file(std::string const& csv)
 {
-    try {
-        with_design_file(csv);
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
+    return test::fault_of([&] { with_design_file(csv); });
 }
 
 TEST(CampaignInput, ADesignTableIsReadFromAFileInAnyDialect)

@@ -2,6 +2,7 @@
 #include "ensemble/input/campaign_input.hpp"
 
 #include "demens/base/error.hpp"
+#include "tests/support/fault_of.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -66,7 +67,7 @@ upper = 0.95
 )";
 }
 
-ensemble::CampaignInput read(std::string const& target, std::string const& csv = camera())
+ensemble::CampaignInput read_curve_campaign(std::string const& target, std::string const& csv = camera())
 {
     return ensemble::CampaignInput::from_text(campaign(target), "test.toml", rig::all_rigs(),
                                               [csv](std::string const& name) {
@@ -76,14 +77,9 @@ ensemble::CampaignInput read(std::string const& target, std::string const& csv =
                                               });
 }
 
-std::string message_about(std::string const& target, std::string const& csv = camera())
+std::string message_about_curve(std::string const& target, std::string const& csv = camera())
 {
-    try {
-        read(target, csv);
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
+    return test::fault_of([&] { read_curve_campaign(target, csv); });
 }
 
 std::string curve(std::string const& members)
@@ -93,7 +89,7 @@ std::string curve(std::string const& members)
 
 TEST(CurveInput, AWindowIsATargetOfItsOwn)
 {
-    auto const input = read(curve(", sd = 2, scale = 4, windows = 4, tolerance = 8"));
+    auto const input = read_curve_campaign(curve(", sd = 2, scale = 4, windows = 4, tolerance = 8"));
     auto const& experiment = input.experiments[0];
     ASSERT_EQ(experiment.curves.size(), 1u);
     ASSERT_EQ(experiment.responses.size(), 5u); // height_m itself is one of the rig's
@@ -117,7 +113,7 @@ TEST(CurveInput, AWindowIsATargetOfItsOwn)
 
 TEST(CurveInput, WindowsHaveNamesWeightsAndPhases)
 {
-    auto const input = read(
+    auto const input = read_curve_campaign(
         curve(", sd = 1, window = [{ name = \"start\", to = 100, weight = 3 }, "
               "{ name = \"half\", from_share = 0.25, to_share = 0.5 }, { name = \"end\", from = 300 }]"));
     auto const& [start, half, end] =
@@ -140,7 +136,7 @@ TEST(CurveInput, WindowsHaveNamesWeightsAndPhases)
 
 TEST(CurveInput, AFreeShiftIsAResponse)
 {
-    auto const input = read(curve(", sd = 1, windows = 2, shift = \"free\", offset = 5"));
+    auto const input = read_curve_campaign(curve(", sd = 1, windows = 2, shift = \"free\", offset = 5"));
     auto const& experiment = input.experiments[0];
     EXPECT_EQ(experiment.responses.back().name, "height_m_shift");
     EXPECT_EQ(experiment.targets.size(), 2u);
@@ -150,7 +146,7 @@ TEST(CurveInput, AFreeShiftIsAResponse)
 
 TEST(CurveInput, TheScatterIsSeenWhereNoneIsGiven)
 {
-    auto const input = read(curve(""));
+    auto const input = read_curve_campaign(curve(""));
     EXPECT_NEAR(input.experiments[0].curves[0].sd, 1e-3, 2e-4); // +-1 mm
     EXPECT_THAT(input.notes()[0], HasSubstr("seen in their scatter; 8 windows"));
 }
@@ -158,37 +154,38 @@ TEST(CurveInput, TheScatterIsSeenWhereNoneIsGiven)
 TEST(CurveInput, WrongOnesAreRefused)
 {
     EXPECT_THAT(
-        message_about("target.heigth_m = { file = \"camera.csv\", time = \"t_ms\", value = \"z_mm\" }"),
+        message_about_curve("target.heigth_m = { file = \"camera.csv\", time = \"t_ms\", value = \"z_mm\" }"),
         HasSubstr("target.heigth_m: the rig custom records no such curve; did you mean \"height_m\"?"));
-    EXPECT_THAT(
-        message_about("target.height_m = { file = \"balance.csv\", time = \"t_ms\", value = \"z_mm\" }"),
-        HasSubstr("target.height_m.file = \"balance.csv\": there is no such file"));
-    EXPECT_THAT(message_about("target.height_m = { file = \"camera.csv\", value = \"z_mm\" }"),
+    EXPECT_THAT(message_about_curve(
+                    "target.height_m = { file = \"balance.csv\", time = \"t_ms\", value = \"z_mm\" }"),
+                HasSubstr("target.height_m.file = \"balance.csv\": there is no such file"));
+    EXPECT_THAT(message_about_curve("target.height_m = { file = \"camera.csv\", value = \"z_mm\" }"),
                 HasSubstr("the key \"time\" is missing; give time = \"COLUMN\""));
-    EXPECT_THAT(message_about(curve(", axis = \"t_ms\"")),
+    EXPECT_THAT(message_about_curve(curve(", axis = \"t_ms\"")),
                 HasSubstr("height_m is a reading of the series, over time"));
     EXPECT_THAT(
-        message_about("target.height_m = { file = \"camera.csv\", time = \"z_mm\", value = \"t_ms\" }"),
+        message_about_curve("target.height_m = { file = \"camera.csv\", time = \"z_mm\", value = \"t_ms\" }"),
         HasSubstr("mm is a unit of length; the unit must be one of s, ms, min, h"));
-    EXPECT_THAT(message_about(curve(", sd = 0")), HasSubstr("must be greater than 0"));
-    EXPECT_THAT(message_about(curve(", from = 500")),
+    EXPECT_THAT(message_about_curve(curve(", sd = 0")), HasSubstr("must be greater than 0"));
+    EXPECT_THAT(message_about_curve(curve(", from = 500")),
                 HasSubstr("leaves 0 points of the curve, which goes from 0 to 0.4 s"));
-    EXPECT_THAT(message_about(curve(", windows = 42")),
+    EXPECT_THAT(message_about_curve(curve(", windows = 42")),
                 HasSubstr("windows = 42: are more than the curve has points for"));
-    EXPECT_THAT(message_about(curve(", largest_shift = 4")), HasSubstr("is used by shift = \"free\" alone"));
-    EXPECT_THAT(message_about(curve(", sd = 1, window = [{ name = \"a\", from = 401 }]")),
+    EXPECT_THAT(message_about_curve(curve(", largest_shift = 4")),
+                HasSubstr("is used by shift = \"free\" alone"));
+    EXPECT_THAT(message_about_curve(curve(", sd = 1, window = [{ name = \"a\", from = 401 }]")),
                 HasSubstr("begins at 0.401 and ends at 0.4 s"));
-    EXPECT_THAT(message_about(curve(", sd = 1, window = [{ name = \"a\", to = 5, to_share = 0.5 }]")),
+    EXPECT_THAT(message_about_curve(curve(", sd = 1, window = [{ name = \"a\", to = 5, to_share = 0.5 }]")),
                 HasSubstr("says the same as to; give one of them"));
-    EXPECT_THAT(message_about(curve(", sd = 1, window = [{ name = \"a\" }, { name = \"a\" }]")),
+    EXPECT_THAT(message_about_curve(curve(", sd = 1, window = [{ name = \"a\" }, { name = \"a\" }]")),
                 HasSubstr("two windows have this name"));
-    EXPECT_THAT(message_about(curve(""), "t_ms,z_mm\n0,2\n1,1\n2,0\n"),
+    EXPECT_THAT(message_about_curve(curve(""), "t_ms,z_mm\n0,2\n1,1\n2,0\n"),
                 HasSubstr("3 points are too few to tell how they scatter; give sd"));
     std::string line = "t_ms,z_mm\n";
     for (int k = 0; k < 40; ++k)
         line += fmt::format("{},{}\n", k, 8 * k);
-    EXPECT_THAT(message_about(curve(""), line), HasSubstr("the curve is smooth"));
-    EXPECT_THAT(message_about(curve(""), "t_ms,z_mm\n0,2\n1,\n2,0\n"),
+    EXPECT_THAT(message_about_curve(curve(""), line), HasSubstr("the curve is smooth"));
+    EXPECT_THAT(message_about_curve(curve(""), "t_ms,z_mm\n0,2\n1,\n2,0\n"),
                 HasSubstr("camera.csv:3: column `z_mm` has no value: the curve has a gap"));
 }
 

@@ -35,21 +35,6 @@ set = [{ path = "experiment.mass_kg", relative = 0.1 },
        { path = "contact.quartz_quartz.kinetic_friction", value_of = "contact.quartz_quartz.static_friction" }]
 )";
 
-CampaignInput read(std::string const& text)
-{
-    return CampaignInput::from_text(text, "test.toml", rigs());
-}
-
-std::string refusal(std::string const& text)
-{
-    try {
-        read(text);
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
-}
-
 //! The input of a run of the first experiment with these amplitudes.
 rig::RunInput run_with(std::vector<double> const& amplitudes)
 {
@@ -101,9 +86,9 @@ TEST(EffectInput, OnlyExperimentsToBeConsideredMayHaveNoValue)
 {
     auto const unmeasured =
         replaced(good_campaign(), "target.rebound = { value = 0.4, ", "target.rebound = { ");
-    EXPECT_THAT(refusal(unmeasured),
+    EXPECT_THAT(message_about(unmeasured),
                 HasSubstr("experiment.drop.target.rebound: the key \"value\" is missing"));
-    EXPECT_THAT(refusal(unmeasured + effects), HasSubstr("the key \"value\" is missing"));
+    EXPECT_THAT(message_about(unmeasured + effects), HasSubstr("the key \"value\" is missing"));
     auto const input = read(unmeasured + replaced(effects, "held_out", "candidates"));
     EXPECT_EQ(input.experiments[1].role, ExperimentRole::consider);
     EXPECT_TRUE(std::isnan(input.experiments[1].held_out.at(0).value));
@@ -127,21 +112,25 @@ TEST(EffectInput, WhatIsWrongIsToldWithItsPlace)
     auto const with = [](std::string const& part, std::string const& by) {
         return good_campaign() + replaced(effects, part, by);
     };
-    EXPECT_THAT(refusal(with("surface_energy\", per", "surface_enrgy\", per")),
+    EXPECT_THAT(message_about(with("surface_energy\", per", "surface_enrgy\", per")),
                 HasSubstr("effect.wet.set[3].path = \"contact.quartz_quartz.surface_enrgy\": names nothing"));
-    EXPECT_THAT(refusal(with("value = \"dmt\"", "value = \"glue\"")), HasSubstr("must be one of none, "));
-    EXPECT_THAT(refusal(with("value = \"dmt\"", "per_unit = 1.0")), HasSubstr("is no number"));
-    EXPECT_THAT(refusal(with("relative = 0.1", "relative = 0.1, per_unit = 1.0")), HasSubstr("needs one of"));
-    EXPECT_THAT(refusal(with("name = \"fill\"", "name = \"wet\"")), HasSubstr("two effects have this name"));
+    EXPECT_THAT(message_about(with("value = \"dmt\"", "value = \"glue\"")),
+                HasSubstr("must be one of none, "));
+    EXPECT_THAT(message_about(with("value = \"dmt\"", "per_unit = 1.0")), HasSubstr("is no number"));
+    EXPECT_THAT(message_about(with("relative = 0.1", "relative = 0.1, per_unit = 1.0")),
+                HasSubstr("needs one of"));
+    EXPECT_THAT(message_about(with("name = \"fill\"", "name = \"wet\"")),
+                HasSubstr("two effects have this name"));
     EXPECT_THAT(
-        refusal(with("held_out = [\"drop\"]", "held_out = [\"drip\"]")),
+        message_about(with("held_out = [\"drop\"]", "held_out = [\"drip\"]")),
         HasSubstr("gap.held_out = [ 'drip' ]: there is no experiment \"drip\"; did you mean \"drop\"?"));
-    EXPECT_THAT(refusal(with("held_out = [\"drop\"]", "held_out = [\"drop\", \"bench\"]")),
+    EXPECT_THAT(message_about(with("held_out = [\"drop\"]", "held_out = [\"drop\", \"bench\"]")),
                 HasSubstr("none is left to calibrate on"));
-    EXPECT_THAT(refusal(good_campaign() + "\n[[effect]]\nname = \"a\"\n"), HasSubstr("\"set\" is missing"));
+    EXPECT_THAT(message_about(good_campaign() + "\n[[effect]]\nname = \"a\"\n"),
+                HasSubstr("\"set\" is missing"));
     std::string const set = "set = [{ path = \"experiment.mass_kg\", per_unit = 1.0 }]\n";
-    EXPECT_THAT(refusal(good_campaign() + "\n[[effect]]\nname = \"a\"\n" + set +
-                        "\n[[effect]]\nname = \"b\"\n" + set),
+    EXPECT_THAT(message_about(good_campaign() + "\n[[effect]]\nname = \"a\"\n" + set +
+                              "\n[[effect]]\nname = \"b\"\n" + set),
                 HasSubstr("the same as that of the effect a"));
 }
 

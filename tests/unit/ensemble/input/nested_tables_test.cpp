@@ -2,6 +2,7 @@
 // one.
 #include "ensemble/input/campaign_input.hpp"
 
+#include "tests/support/fault_of.hpp"
 #include "tests/unit/ensemble/input/test_rigs.hpp"
 
 #include <gmock/gmock.h>
@@ -109,20 +110,15 @@ std::string file_content(std::string const& name)
     return "solid";
 }
 
-CampaignInput read(std::string const& text)
+CampaignInput read_nested(std::string const& text)
 {
     return CampaignInput::from_text(text, "test.toml", nested_rigs(), file_content);
 }
 
 //! The message about the campaign with one piece replaced.
-std::string message_with(std::string const& piece, std::string const& by)
+std::string message_with_nested(std::string const& piece, std::string const& by)
 {
-    try {
-        read(replaced(campaign(), piece, by));
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
+    return test::fault_of([&] { read_nested(replaced(campaign(), piece, by)); });
 }
 
 std::vector<std::string> names_of(std::vector<rig::ResponseInfo> const& responses)
@@ -135,7 +131,7 @@ std::vector<std::string> names_of(std::vector<rig::ResponseInfo> const& response
 
 TEST(NestedTables, AreReadWithTheirDefaults)
 {
-    auto const experiment = read(campaign()).run_input({1.5, 0.5}, 0, 0, 0).experiment;
+    auto const experiment = read_nested(campaign()).run_input({1.5, 0.5}, 0, 0, 0).experiment;
     auto const& walls = experiment.tables("wall");
     ASSERT_EQ(walls.size(), 2u);
     EXPECT_EQ(walls[0].vector("normal"), (Vector3{0, 0, 1}));
@@ -149,7 +145,7 @@ TEST(NestedTables, AreReadWithTheirDefaults)
 
 TEST(NestedTables, EveryNumberIsAFactorByItsPath)
 {
-    auto const input = read(campaign());
+    auto const input = read_nested(campaign());
     EXPECT_EQ(input.factors[0].name, "speed");
     EXPECT_EQ(input.factors[1].name, "gravity_x");
     auto const experiment = input.run_input({1.75, 0.25}, 0, 0, 0).experiment;
@@ -161,17 +157,17 @@ TEST(NestedTables, EveryNumberIsAFactorByItsPath)
 TEST(NestedTables, FactorPathsAreSuggestedAndTheirBoundsChecked)
 {
     EXPECT_EQ(
-        message_with("wall.drum.motion.1.speed", "wall.drm.motion.1.speed"),
+        message_with_nested("wall.drum.motion.1.speed", "wall.drm.motion.1.speed"),
         "test.toml:25: factor[1].path = \"experiment.bench.wall.drm.motion.1.speed\": names nothing in this "
         "input; did you mean \"experiment.bench.wall.drum.motion.1.speed\"?");
-    EXPECT_THAT(message_with("upper = 2", "upper = 20"), HasSubstr("factor[1].upper = 20"));
-    EXPECT_THAT(message_with("gravity.x", "gravity"), HasSubstr("names nothing in this input"));
+    EXPECT_THAT(message_with_nested("upper = 2", "upper = 20"), HasSubstr("factor[1].upper = 20"));
+    EXPECT_THAT(message_with_nested("gravity.x", "gravity"), HasSubstr("names nothing in this input"));
 }
 
 TEST(NestedTables, TheResolvedTextGivesTheSameInput)
 {
-    auto const input = read(campaign());
-    auto const again = read(input.resolved_text());
+    auto const input = read_nested(campaign());
+    auto const again = read_nested(input.resolved_text());
     EXPECT_EQ(again.resolved_text(), input.resolved_text());
     EXPECT_EQ(again.run_input({1, 1}, 0, 0, 0).experiment.tables("wall")[1].number("radius_mm"), 30);
     EXPECT_THAT(input.resolved_text(), HasSubstr("[[experiment.wall.motion]]\nspeed = 1.5 # speed [m/s]\n"));
@@ -180,68 +176,69 @@ TEST(NestedTables, TheResolvedTextGivesTheSameInput)
 
 TEST(NestedTables, ResponsesMayComeFromTheExperiment)
 {
-    auto const input = read(campaign());
+    auto const input = read_nested(campaign());
     EXPECT_THAT(names_of(input.experiments[0].responses), ElementsAre("fixed", "force_floor", "force_drum"));
     EXPECT_EQ(input.experiments[0].targets[0].response_index, 2);
-    EXPECT_THAT(message_with("target.force_drum", "target.force_drm"),
+    EXPECT_THAT(message_with_nested("target.force_drum", "target.force_drm"),
                 HasSubstr("no such response; did you mean \"force_drum\"?"));
 }
 
 TEST(NestedTables, FilesAreReadOnceAndKept)
 {
     auto const mesh = "shape = \"mesh\"\nfile = \"a.stl\"";
-    auto const input = read(replaced(campaign(), "shape = \"plane\"", mesh));
+    auto const input = read_nested(replaced(campaign(), "shape = \"plane\"", mesh));
     ASSERT_EQ(input.files().size(), 1u);
     EXPECT_EQ(*input.files().at("a.stl"), "solid");
-    EXPECT_EQ(message_with("shape = \"plane\"", "shape = \"mesh\"\nfile = \"b.stl\""),
+    EXPECT_EQ(message_with_nested("shape = \"plane\"", "shape = \"mesh\"\nfile = \"b.stl\""),
               "test.toml:13: experiment.bench.wall.floor.file = \"b.stl\": b.stl cannot be read");
 }
 
 TEST(NestedTables, UnknownKeysAndKinds)
 {
     EXPECT_EQ(
-        message_with("radius_mm = 30", "radius_m = 30"),
+        message_with_nested("radius_mm = 30", "radius_m = 30"),
         "test.toml:18: experiment.bench.wall.drum.radius_m = 30: unknown key; did you mean \"radius_mm\"?");
-    EXPECT_THAT(message_with("radius_mm = 30", "radius_mm = 30\nnormal = [1, 0, 0]"),
+    EXPECT_THAT(message_with_nested("radius_mm = 30", "radius_mm = 30\nnormal = [1, 0, 0]"),
                 AllOf(StartsWith("test.toml:19: experiment.bench.wall.drum.normal"),
                       HasSubstr("is a key of shape = plane, not of shape = disc")));
-    EXPECT_THAT(message_with("shape = \"disc\"", "shape = \"disk\""),
+    EXPECT_THAT(message_with_nested("shape = \"disc\"", "shape = \"disk\""),
                 AllOf(StartsWith("test.toml:16: "), HasSubstr("must be one of plane, disc, mesh")));
-    EXPECT_THAT(message_with("shape = \"disc\"\n", ""),
+    EXPECT_THAT(message_with_nested("shape = \"disc\"\n", ""),
                 HasSubstr("the key \"shape\" is missing; it is one of plane, disc, mesh"));
-    EXPECT_THAT(message_with("radius_mm = 30", ""),
+    EXPECT_THAT(message_with_nested("radius_mm = 30", ""),
                 HasSubstr("experiment.bench.wall.drum: the key \"radius_mm\""));
-    EXPECT_THAT(message_with("[[experiment.stage]]", "[[experiment.stages]]"),
+    EXPECT_THAT(message_with_nested("[[experiment.stage]]", "[[experiment.stages]]"),
                 HasSubstr("unknown key; did you mean \"stage\"?"));
-    EXPECT_THAT(message_with("[[experiment.stage]]", "[experiment.stage]"),
+    EXPECT_THAT(message_with_nested("[[experiment.stage]]", "[experiment.stage]"),
                 HasSubstr("[[experiment.bench.stage]]"));
 }
 
 TEST(NestedTables, WrongValues)
 {
-    EXPECT_THAT(message_with("[0.5, 0, -9.81]", "[0.5, -9.81]"),
+    EXPECT_THAT(message_with_nested("[0.5, 0, -9.81]", "[0.5, -9.81]"),
                 AllOf(StartsWith("test.toml:8: experiment.bench.gravity"),
                       HasSubstr("must be a vector [x, y, z] of three numbers")));
-    EXPECT_THAT(message_with("[0.5, 0, -9.81]", "[0.5, 0, \"down\"]"), HasSubstr("list of finite numbers"));
+    EXPECT_THAT(message_with_nested("[0.5, 0, -9.81]", "[0.5, 0, \"down\"]"),
+                HasSubstr("list of finite numbers"));
     EXPECT_THAT(
-        message_with("speed = 1.5", "speed = 11"),
+        message_with_nested("speed = 1.5", "speed = 11"),
         AllOf(StartsWith("test.toml:20: experiment.bench.wall.drum.motion[1].speed = 11: must be at most 10"),
               HasSubstr("(speed [m/s])")));
 }
 
 TEST(NestedTables, NamesOfNothingAndNamesTwice)
 {
-    EXPECT_EQ(message_with("on = [\"drum\"]", "on = [\"drums\"]"),
+    EXPECT_EQ(message_with_nested("on = [\"drum\"]", "on = [\"drums\"]"),
               "test.toml:23: experiment.bench.stage.1.on = [ 'drums' ]: there is no [[experiment.wall]] with "
               "name = "
               "\"drums\"; did you mean \"drum\"?");
-    EXPECT_THAT(message_with("material = \"steel\"\nradius_mm", "material = \"steal\"\nradius_mm"),
+    EXPECT_THAT(message_with_nested("material = \"steel\"\nradius_mm", "material = \"steal\"\nradius_mm"),
                 AllOf(StartsWith("test.toml:17: experiment.bench.wall.drum.material = \"steal\""),
                       HasSubstr("did you mean \"steel\"?")));
-    EXPECT_THAT(message_with("name = \"drum\"", "name = \"floor\""),
+    EXPECT_THAT(message_with_nested("name = \"drum\"", "name = \"floor\""),
                 AllOf(StartsWith("test.toml:15: experiment.bench.wall.floor.name"),
                       HasSubstr("two tables [[experiment.wall]] have this name")));
-    EXPECT_THAT(message_with("name = \"drum\"", "name = \"a.b\""),
+    EXPECT_THAT(message_with_nested("name = \"drum\"", "name = \"a.b\""),
                 HasSubstr("a name must begin with a letter"));
 }
 

@@ -2,6 +2,7 @@
 #include "ensemble/input/campaign_input.hpp"
 
 #include "demens/base/error.hpp"
+#include "tests/support/fault_of.hpp"
 #include "tests/unit/ensemble/input/test_rigs.hpp"
 
 #include <gmock/gmock.h>
@@ -45,38 +46,33 @@ lower = 0.1
 upper = 1.2
 )";
 
-std::string message_about(std::string const& text)
+std::string message_of_rig(std::string const& text)
 {
-    try {
-        ensemble::CampaignInput::from_text(text, "test.toml");
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
+    return test::fault_of([&] { ensemble::CampaignInput::from_text(text, "test.toml"); });
 }
 
 TEST(RigRefusal, AcceptsWhatItCanRun)
 {
-    EXPECT_EQ(message_about(drawdown), "");
+    EXPECT_EQ(message_of_rig(drawdown), "");
 }
 
 TEST(RigRefusal, NoRoomForTheParticles)
 {
-    EXPECT_THAT(message_about(replaced(drawdown, "mass_kg = 8", "mass_kg = 800")),
+    EXPECT_THAT(message_of_rig(replaced(drawdown, "mass_kg = 8", "mass_kg = 800")),
                 AllOf(StartsWith("test.toml:16: experiment.bench: the rig drawdown cannot run this: "),
                       HasSubstr("no room"), HasSubstr("800 kg")));
 }
 
 TEST(RigRefusal, TimeStepOverTheLimit)
 {
-    EXPECT_THAT(message_about(replaced(drawdown, "mass_kg = 8", "mass_kg = 8\ntime_step_s = 1e-3")),
+    EXPECT_THAT(message_of_rig(replaced(drawdown, "mass_kg = 8", "mass_kg = 8\ntime_step_s = 1e-3")),
                 AllOf(StartsWith("test.toml:16: experiment.bench: "), HasSubstr("time_step_s = 0.001"),
                       HasSubstr("over the limit"), HasSubstr("Rayleigh")));
 }
 
 TEST(RigRefusal, PairWithoutCoefficients)
 {
-    EXPECT_THAT(message_about(replaced(drawdown, "[contact.quartz_wood]", "[contact.wood_wood]")),
+    EXPECT_THAT(message_of_rig(replaced(drawdown, "[contact.quartz_wood]", "[contact.wood_wood]")),
                 AllOf(StartsWith("test.toml:16: experiment.bench: "), HasSubstr("quartz meets wood"),
                       HasSubstr("no table [contact.quartz_wood]")));
 }
@@ -84,7 +80,7 @@ TEST(RigRefusal, PairWithoutCoefficients)
 TEST(RigRefusal, OnlyAtACornerOfTheFactors)
 {
     EXPECT_THAT(
-        message_about(drawdown + "[[factor]]\npath = \"experiment.mass_kg\"\nlower = 5\nupper = 5000\n"),
+        message_of_rig(drawdown + "[[factor]]\npath = \"experiment.mass_kg\"\nlower = 5\nupper = 5000\n"),
         AllOf(HasSubstr("static_friction = 0.1, mass_kg = 5000"), HasSubstr("no room"),
               HasSubstr("narrow the bounds")));
 }

@@ -1,6 +1,7 @@
 // [shape.NAME] and the shapes of size distributions: what is read, and what is refused with its place.
 #include "ensemble/input/campaign_input.hpp"
 
+#include "tests/support/fault_of.hpp"
 #include "tests/unit/ensemble/input/test_rigs.hpp"
 
 #include <gmock/gmock.h>
@@ -16,7 +17,7 @@ using ensemble::CampaignInput;
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string with(std::string const& shapes, std::string const& of_sizes = "")
+std::string with_shapes(std::string const& shapes, std::string const& of_sizes = "")
 {
     auto text = good_campaign();
     std::string const heading = "[size_distribution.half_inch]\n";
@@ -40,7 +41,7 @@ std::string box_stl()
     return text + "endsolid box\n";
 }
 
-CampaignInput read(std::string const& text)
+CampaignInput read_shapes(std::string const& text)
 {
     return CampaignInput::from_text(text, "test.toml", rigs(), [](std::string const& name) {
         if (name == "clump.csv")
@@ -55,12 +56,7 @@ CampaignInput read(std::string const& text)
 
 std::string fault(std::string const& text)
 {
-    try {
-        read(text);
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
+    return test::fault_of([&] { read_shapes(text); });
 }
 
 std::string const rod = "[shape.rod]\nsize = \"largest_feret\"\nspheres = [[0, 0, 0, 1], [2, 0, 0, 1]]\n";
@@ -72,7 +68,7 @@ grain::ShapeMixture const& mixture(rig::RunInput const& run)
 
 TEST(ShapeInput, NamesSpheresOfAGrain)
 {
-    auto const run = read(with(rod, "shapes = [\"rod\"]")).run_input({}, 0, 0, 0);
+    auto const run = read_shapes(with_shapes(rod, "shapes = [\"rod\"]")).run_input({}, 0, 0, 0);
     ASSERT_EQ(mixture(run).shapes.size(), 1u);
     EXPECT_EQ(run.shapes_of_sizes.count("two"), 0u);
     auto const& shape = mixture(run).shapes[0];
@@ -82,9 +78,10 @@ TEST(ShapeInput, NamesSpheresOfAGrain)
 
 TEST(ShapeInput, TakesATableAndStandsInTheResolvedTextWithoutIt)
 {
-    auto const input = read(with("[shape.rod]\nsize = \"largest_feret\"\nfile = \"clump.csv\"\n",
-                                 "shapes = [\"rod\", \"sphere\"]\nshape_fraction = [0.25, 0.75]\n"
-                                 "shape_fraction_of = \"number\""));
+    auto const input =
+        read_shapes(with_shapes("[shape.rod]\nsize = \"largest_feret\"\nfile = \"clump.csv\"\n",
+                                "shapes = [\"rod\", \"sphere\"]\nshape_fraction = [0.25, 0.75]\n"
+                                "shape_fraction_of = \"number\""));
     EXPECT_EQ(input.files().count("clump.csv"), 1u);
     auto const again = CampaignInput::from_text(input.resolved_text(), "resolved.toml", rigs());
     for (auto const* read : {&input, &again}) {
@@ -100,7 +97,7 @@ TEST(ShapeInput, TakesATableAndStandsInTheResolvedTextWithoutIt)
 
 TEST(ShapeInput, RefusesShapesThatAreNone)
 {
-    auto const shape = [](std::string const& keys) { return fault(with("[shape.rod]\n" + keys)); };
+    auto const shape = [](std::string const& keys) { return fault(with_shapes("[shape.rod]\n" + keys)); };
     EXPECT_THAT(shape("spheres = [[0, 0, 0, 1]]"), HasSubstr("\"size\" is missing"));
     EXPECT_THAT(shape("size = \"diameter\"\nspheres = [[0, 0, 0, 1]]"),
                 AllOf(HasSubstr("shape.rod.size"), HasSubstr("volume_equivalent")));
@@ -115,7 +112,7 @@ TEST(ShapeInput, RefusesShapesThatAreNone)
     EXPECT_THAT(shape(size + "spheres = [[0, 0, 0, 0]]"), HasSubstr("shape.rod.spheres"));
     EXPECT_THAT(shape(size + "file = \"none.csv\""),
                 AllOf(HasSubstr("shape.rod.file"), HasSubstr("no such file")));
-    EXPECT_THAT(fault(with("[shape.sphere]\n" + size + "spheres = [[0, 0, 0, 1]]")),
+    EXPECT_THAT(fault(with_shapes("[shape.sphere]\n" + size + "spheres = [[0, 0, 0, 1]]")),
                 HasSubstr("give another one"));
 }
 
@@ -126,7 +123,7 @@ TEST(ShapeInput, TakesPolyhedraFromCornersTablesSurfacesAndFourNumbers)
          {"vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]", "vertices_file = \"tip.csv\"",
           "surface = \"box.stl\"\nmade_of = \"hull\"",
           "corners = 12\nvertical_aspect = 0.7\nhorizontal_aspect = 1.3\ndegree = 3"}) {
-        auto const input = read(with(heading + source, "shapes = [\"stone\"]"));
+        auto const input = read_shapes(with_shapes(heading + source, "shapes = [\"stone\"]"));
         auto const again = CampaignInput::from_text(input.resolved_text(), "resolved.toml", rigs());
         EXPECT_EQ(again.resolved_text(), input.resolved_text());
         auto const first = input.run_input({}, 0, 0, 0), second = again.run_input({}, 0, 0, 0);
@@ -146,10 +143,10 @@ TEST(ShapeInput, TakesPolyhedraFromCornersTablesSurfacesAndFourNumbers)
 
 TEST(ShapeInput, FillsASurfaceWithSpheresAndSaysHowWell)
 {
-    auto const input =
-        read(with("[shape.brick]\nsize = \"volume_equivalent\"\nsurface = \"box.stl\"\nmade_of = "
-                  "\"spheres\"\nmost_spheres = 12\n",
-                  "shapes = [\"brick\"]"));
+    auto const input = read_shapes(
+        with_shapes("[shape.brick]\nsize = \"volume_equivalent\"\nsurface = \"box.stl\"\nmade_of = "
+                    "\"spheres\"\nmost_spheres = 12\n",
+                    "shapes = [\"brick\"]"));
     EXPECT_EQ(mixture(input.run_input({}, 0, 0, 0)).shapes.at(0).shape->balls.size(), 12u);
     EXPECT_THAT(input.notes(),
                 testing::Contains(AllOf(HasSubstr("shape.brick: 12 spheres"), HasSubstr("Dice"))));
@@ -159,7 +156,7 @@ TEST(ShapeInput, FillsASurfaceWithSpheresAndSaysHowWell)
 TEST(ShapeInput, RefusesPolyhedraThatAreNone)
 {
     auto const shape = [](std::string const& keys) {
-        return fault(with("[shape.stone]\nsize = \"volume_equivalent\"\n" + keys));
+        return fault(with_shapes("[shape.stone]\nsize = \"volume_equivalent\"\n" + keys));
     };
     EXPECT_THAT(shape("vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]"),
                 AllOf(HasSubstr("shape.stone.vertices"), HasSubstr("four")));
@@ -178,7 +175,7 @@ TEST(ShapeInput, RefusesPolyhedraThatAreNone)
 
 TEST(ShapeInput, RefusesMixturesThatAreNone)
 {
-    auto const sizes = [](std::string const& keys) { return fault(with(rod, keys)); };
+    auto const sizes = [](std::string const& keys) { return fault(with_shapes(rod, keys)); };
     EXPECT_EQ(sizes("shapes = [\"rod\"]"), "");
     EXPECT_THAT(sizes("shapes = [\"rood\"]"), AllOf(HasSubstr("there is no [shape.rood]"), HasSubstr("rod")));
     EXPECT_THAT(sizes("shapes = [\"rod\", \"sphere\"]"), HasSubstr("\"shape_fraction\" is missing"));

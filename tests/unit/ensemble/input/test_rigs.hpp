@@ -2,6 +2,8 @@
 
 #include "demens/base/error.hpp"
 #include "demens/rig/rig.hpp"
+#include "ensemble/input/campaign_input.hpp"
+#include "tests/support/fault_of.hpp"
 
 namespace demens::test {
 
@@ -156,6 +158,18 @@ inline std::string replaced(std::string text, std::string const& piece, std::str
     if (at == std::string::npos)
         throw std::logic_error("the test's campaign has no \"" + piece + "\"");
     return text.replace(at, piece.size(), by);
+}
+
+//! Reads a campaign of these rigs.
+inline ensemble::CampaignInput read(std::string const& text)
+{
+    return ensemble::CampaignInput::from_text(text, "test.toml", rigs());
+}
+
+//! The message about a text; empty when it is accepted.
+inline std::string message_about(std::string const& text)
+{
+    return fault_of([&] { read(text); });
 }
 
 } // namespace demens::test

@@ -2,6 +2,7 @@
 #include "demens/base/error.hpp"
 #include "demens/picture_file/picture_file.hpp"
 #include "ensemble/input/campaign_input.hpp"
+#include "tests/support/fault_of.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -94,12 +95,7 @@ CampaignInput read(std::string const& text, std::string const& png)
 
 std::string message_about(std::string const& text, std::string const& png)
 {
-    try {
-        read(text, png);
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
+    return test::fault_of([&] { read(text, png); });
 }
 
 class Photograph : public ::testing::TestWithParam<observe::Rotation>

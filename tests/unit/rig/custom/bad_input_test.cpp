@@ -11,8 +11,8 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::string const region = "[[experiment.region]]\nname = \"room\"\nshape = \"box\"\nlower_mm = [0, 0, 0]\n"
-                           "upper_mm = [50, 50, 50]\n";
+std::string const room = "[[experiment.region]]\nname = \"room\"\nshape = \"box\"\nlower_mm = [0, 0, 0]\n"
+                         "upper_mm = [50, 50, 50]\n";
 std::string const first_ball = ball("place_mm = [25, 25, 25]");
 std::string const one_stage = stage("only", "duration_s = 0.1");
 std::string const one_response = response("n", "quantity = \"count\"");
@@ -35,7 +35,7 @@ std::string const refused = "test.toml:17: experiment.bench: the rig custom cann
 
 TEST(CustomBadInput, GoodIsAccepted)
 {
-    EXPECT_EQ(about(region + first_ball + floor_at_zero + one_stage + one_response), "");
+    EXPECT_EQ(about(room + first_ball + floor_at_zero + one_stage + one_response), "");
 }
 
 TEST(CustomBadInput, PartsAreMissing)
@@ -54,7 +54,7 @@ TEST(CustomBadInput, UnknownKeysAndNames)
     EXPECT_THAT(about(first_ball + one_stage + response("n", "quantity = \"count\"\nregin = \"room\"")),
                 HasSubstr("did you mean \"region\"?"));
     EXPECT_THAT(
-        about(region + first_ball + one_stage + response("n", "quantity = \"count\"\nregion = \"rom\"")),
+        about(room + first_ball + one_stage + response("n", "quantity = \"count\"\nregion = \"rom\"")),
         HasSubstr("there is no [[experiment.region]] with name = \"rom\"; did you mean \"room\"?"));
     EXPECT_THAT(
         about(first_ball + stage("only", "duration_s = 1\nuntil = \"count\"\nof = \"bal\"\nbelow = 1") +
@@ -107,7 +107,7 @@ TEST(CustomBadInput, RegionsAndPackings)
     EXPECT_EQ(about(flat + first_ball + one_stage + one_response),
               refused + "region.room has no volume; upper_mm must be greater than lower_mm in x, y and z");
     auto const with = [&](std::string const& keys) {
-        return about(region + packing + keys + one_stage + one_response);
+        return about(room + packing + keys + one_stage + one_response);
     };
     EXPECT_EQ(with("diameter_mm = 5\ncount = 100\n"), "");
     EXPECT_THAT(with("count = 100\n"),
@@ -174,7 +174,7 @@ TEST(CustomBadInput, Meshes)
 TEST(CustomBadInput, ResponsesThatMeanNothing)
 {
     auto const with = [&](std::string const& keys) {
-        return about(region + packing + "diameter_mm = 5\ncount = 10\n" + one_stage + response("r", keys));
+        return about(room + packing + "diameter_mm = 5\ncount = 10\n" + one_stage + response("r", keys));
     };
     EXPECT_THAT(with("quantity = \"speed\"\nof = \"bed\""),
                 HasSubstr("response.r: \"speed\" is the speed of one body, but the group bed has several"));
@@ -203,7 +203,7 @@ TEST(CustomBadInput, StagesThatMeanNothing)
 TEST(CustomBadInput, MoreParticlesThanThereIsMemoryFor)
 {
     // 1 kg of 3 mm, but written in m: spheres of 3 um. It was std::bad_alloc.
-    EXPECT_THAT(about(region + packing + "mass_kg = 1\ndiameter_mm = 0.003\n" + one_stage + one_response),
+    EXPECT_THAT(about(room + packing + "mass_kg = 1\ndiameter_mm = 0.003\n" + one_stage + one_response),
                 AllOf(StartsWith(refused), HasSubstr("a run has about 2.83e+13 particles"),
                       HasSubstr("are the diameters in mm and the mass in kg?")));
 }
@@ -217,8 +217,7 @@ TEST(CustomBadInput, WallsThatGoOnIntoEachOtherAndAreNotJoined)
         return text;
     };
     auto const warnings = [&](std::string const& walls) {
-        auto const input =
-            read_custom(custom_campaign(region + first_ball + walls + one_stage + one_response));
+        auto const input = read_custom(custom_campaign(room + first_ball + walls + one_stage + one_response));
         return input.experiments[0].rig->warnings(input.run_input({0.25}, 0, 0, 0));
     };
     auto const left = half("left", "[-20, -20, 0]", "glass");

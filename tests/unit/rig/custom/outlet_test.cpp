@@ -103,7 +103,7 @@ TEST(CustomOutlet, IsTheSameForATeam)
     auto const& rig = *input.experiments[0].rig;
     auto const run_input = input.run_input({0.25}, 0, 0, 0);
     auto const alone = rig.run(run_input, {});
-    testing::with_team(3, [&](dem::Team& team) {
+    test::with_team(3, [&](dem::Team& team) {
         auto const shared = rig.run(run_input, {.team = &team});
         EXPECT_EQ(shared.status, rig::RunStatus::finished) << shared.reason;
         EXPECT_EQ(shared.responses, alone.responses);

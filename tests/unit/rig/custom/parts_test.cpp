@@ -3,6 +3,7 @@
 #include "demens/observe/segregation.hpp"
 #include "demens/shape/packing.hpp"
 #include "src/rig/custom/particle_csv.hpp"
+#include "tests/support/fault_of.hpp"
 
 #include <cmath>
 #include <gmock/gmock.h>
@@ -77,12 +78,7 @@ TEST(FillRegion, SaysWhenThereIsNoRoom)
 
 std::string csv_message(std::string const& text)
 {
-    try {
-        rig::custom::read_particle_csv(text, "bed.csv");
-    } catch (InputError const& error) {
-        return error.what();
-    }
-    return {};
+    return test::fault_of([&] { rig::custom::read_particle_csv(text, "bed.csv"); });
 }
 
 TEST(ParticleCsv, ReadsColumnsInAnyOrder)

@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string const weightless = "gravity_m_s2 = [0, 0, 0]\nseries_interval_s = 0.001\n";
+std::string const weightless_series = "gravity_m_s2 = [0, 0, 0]\nseries_interval_s = 0.001\n";
 std::string const within = "domain_lower_mm = [-50, -50, -50]\ndomain_upper_mm = [50, 50, 50]\n";
 
 TEST(CustomPeriodic, BringsBackWhatLeaves)
@@ -17,7 +17,7 @@ TEST(CustomPeriodic, BringsBackWhatLeaves)
     auto const text = custom_campaign(
         ball("place_mm = [0, 0, 0]\nvelocity_m_s = [1, 0, 0]") + stage("go", "duration_s = 0.13") +
             response("x", "quantity = \"position\"\nof = \"ball\"\naxis = \"x\""),
-        weightless + within + "periodic_x = true\n");
+        weightless_series + within + "periodic_x = true\n");
     EXPECT_NEAR(response_of(text, "x"), 0.13 - 0.1, 0.001) << "a look, which is a whole number of steps";
 }
 
@@ -28,7 +28,7 @@ TEST(CustomPeriodic, LetsParticlesMeetAcrossTheBorder)
                             ball("place_mm = [-40, 0, 0]", "other") + stage("go", "duration_s = 0.04") +
                             response("first", "quantity = \"velocity\"\nof = \"ball\"\naxis = \"x\"") +
                             response("second", "quantity = \"velocity\"\nof = \"other\"\naxis = \"x\""),
-                        weightless + within + "periodic_x = true\n");
+                        weightless_series + within + "periodic_x = true\n");
     // equal masses, coefficient of restitution 0.5: (1 - e)/2 and (1 + e)/2 of the speed
     EXPECT_NEAR(response_of(text, "first"), 0.25, 0.01);
     EXPECT_NEAR(response_of(text, "second"), 0.75, 0.01);

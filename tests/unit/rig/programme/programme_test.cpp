@@ -116,9 +116,9 @@ TEST(Programme, AResponseWithoutAValueFailsTheRun)
 TEST(ProgrammeRun, AnyPortionsGiveTheSameBitsAndManyAreHeldAtOnce)
 {
     auto const& info = *rig::find_rig("drawdown");
-    auto const whole = info.run(demens::testing::small_drawdown(1), {});
-    rig::ProgrammeRun first(info.describe(demens::testing::small_drawdown(1)), nullptr),
-        second(info.describe(demens::testing::small_drawdown(2)), nullptr);
+    auto const whole = info.run(demens::test::small_drawdown(1), {});
+    rig::ProgrammeRun first(info.describe(demens::test::small_drawdown(1)), nullptr),
+        second(info.describe(demens::test::small_drawdown(2)), nullptr);
     for (std::int64_t portion = 1; !first.is_over() || !second.is_over(); portion = portion % 997 + 37) {
         first.advance(portion);
         second.advance(2 * portion);
@@ -138,13 +138,13 @@ TEST(ProgrammeRun, HasTheResponsesOfAnotherEngineToo)
         GTEST_SKIP() << "there is no CUDA device";
     auto const other = on_device ? rig::EngineChoice::cuda : rig::EngineChoice::cuda_on_host;
     auto const& info = *rig::find_rig("drawdown");
-    auto const count = rig::responses_of(info, demens::testing::small_drawdown(1).experiment).size();
+    auto const count = rig::responses_of(info, demens::test::small_drawdown(1).experiment).size();
     std::vector<double> here(count), there(count);
     // Standard deviations of one run over 16 seeds on the engine "cpu".
     std::vector<double> const scatter = {2.93, 8.7, 0.678, 0.052, 12.7, 0.273};
     ASSERT_EQ(count, scatter.size());
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        auto input = demens::testing::small_drawdown(seed);
+        auto input = demens::test::small_drawdown(seed);
         for (auto* sums : {&here, &there}) {
             input.engine = sums == &here ? rig::EngineChoice::cpu : other;
             auto const result = info.run(input, {});
@@ -159,7 +159,7 @@ TEST(ProgrammeRun, HasTheResponsesOfAnotherEngineToo)
 
 TEST(ProgrammeRun, AnotherEngineAccountsForEnergyAndGoesOnFromItsRecord)
 {
-    auto input = demens::testing::small_drawdown(1);
+    auto input = demens::test::small_drawdown(1);
     input.experiment.set("energy_ledger", true);
     auto programme = rig::find_rig("drawdown")->describe(input);
     programme.engine = rig::EngineChoice::cuda_on_host;
@@ -192,7 +192,7 @@ TEST(ProgrammeRun, OnlyTheCpuEngineSharesARunAmongRanks)
 TEST(ProgrammeRun, GoesOnFromItsRecordWithTheSameBits)
 {
     auto const& info = *rig::find_rig("drawdown");
-    auto const input = demens::testing::small_drawdown(1);
+    auto const input = demens::test::small_drawdown(1);
     auto const whole = info.run(input, {});
     // Left while the bed settles with little friction, and while it flows.
     for (std::int64_t const part : {whole.steps / 4, whole.steps * 3 / 4}) {
@@ -213,7 +213,7 @@ TEST(ProgrammeRun, GoesOnFromItsRecordWithTheSameBits)
 TEST(ProgrammeRun, IsKeptWhereEachStageBeginsAndGoesOnThere)
 {
     auto const& info = *rig::find_rig("drawdown");
-    auto const input = demens::testing::small_drawdown(1);
+    auto const input = demens::test::small_drawdown(1);
     std::vector<std::string> stages;
     std::vector<rig::RunState> kept;
     rig::RunHooks keeping;
@@ -242,7 +242,7 @@ TEST(ProgrammeRun, IsKeptWhereEachStageBeginsAndGoesOnThere)
 TEST(ProgrammeRun, CoefficientsThatDriftGoOnFromItsRecordToo)
 {
     auto const& info = *rig::find_rig("drawdown");
-    auto input = demens::testing::small_drawdown(1);
+    auto input = demens::test::small_drawdown(1);
     auto const steady = info.run(input, {});
     input.model.pairs[0].friction_drift = 0.3;
     auto const whole = info.run(input, {});
@@ -261,7 +261,7 @@ TEST(ProgrammeRun, CoefficientsThatDriftGoOnFromItsRecordToo)
 TEST(ProgrammeRun, RefusesTheRecordOfAnotherProgramme)
 {
     auto const& info = *rig::find_rig("drawdown");
-    rig::ProgrammeRun run(info.describe(demens::testing::small_drawdown(1)), nullptr);
+    rig::ProgrammeRun run(info.describe(demens::test::small_drawdown(1)), nullptr);
     run.advance(1);
     auto const other = falling_ball({{.name = "a", .shortest = 0.05}});
     EXPECT_THROW(rig::ProgrammeRun(other, nullptr, run.save()), InputError);

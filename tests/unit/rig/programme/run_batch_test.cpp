@@ -23,7 +23,7 @@ std::map<int, rig::RunResult> together(dem::EngineKind kind, std::uint32_t slots
     std::map<int, rig::RunResult> results;
     for (std::size_t next = 0; next < seeds.size() || !batch.is_empty();) {
         for (; next < seeds.size() && batch.has_room(); ++next) {
-            auto input = demens::testing::small_drawdown(seeds[next]);
+            auto input = demens::test::small_drawdown(seeds[next]);
             input.engine =
                 kind == dem::EngineKind::cuda ? rig::EngineChoice::cuda : rig::EngineChoice::cuda_on_host;
             auto programme = rig::programme_of(info, input, 1);
@@ -50,7 +50,7 @@ TEST(RunBatch, GivesTheBitsOfRunsAloneInAnySlotBesideAnyOthers)
     EXPECT_EQ(beside.at(1).reason, "a test");
     EXPECT_EQ(beside.at(0).status, RunStatus::finished);
     EXPECT_NE(beside.at(0).responses, beside.at(2).responses);
-    auto input = demens::testing::small_drawdown(1);
+    auto input = demens::test::small_drawdown(1);
     input.engine = rig::EngineChoice::cuda_on_host;
     auto const alone = rig::find_rig("drawdown")->run(input, {});
     EXPECT_EQ(alone.status, RunStatus::finished) << alone.reason;

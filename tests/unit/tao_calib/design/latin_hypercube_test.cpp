@@ -17,7 +17,7 @@ namespace {
 
 Factor const static_friction{"contact.static_friction", "static_friction", 0.1, 1.2};
 Factor const kinetic_friction{"contact.kinetic_friction", "kinetic_friction", 0.1, 1.2};
-LinearConstraint const kinetic_below_static{"kinetic_friction <= static_friction", {-1, 1}, 0};
+LinearConstraint const kinetic_at_most_static{"kinetic_friction <= static_friction", {-1, 1}, 0};
 
 DesignOptions latin_hypercube(int points)
 {
@@ -84,7 +84,7 @@ TEST(LatinHypercube, ConstraintsHoldAndStrataAreFilled)
 {
     int const count = 12;
     auto const design =
-        plan_design(latin_hypercube(count), {static_friction, kinetic_friction}, {kinetic_below_static}, 3);
+        plan_design(latin_hypercube(count), {static_friction, kinetic_friction}, {kinetic_at_most_static}, 3);
     ASSERT_EQ(design.points.rows(), count);
     EXPECT_TRUE((design.points.col(1).array() <= design.points.col(0).array()).all());
     EXPECT_TRUE((design.points.array() >= 0.1).all() && (design.points.array() <= 1.2).all());
@@ -99,7 +99,7 @@ TEST(LatinHypercube, ConstraintsHoldAndStrataAreFilled)
 
 TEST(LatinHypercube, SameSeedSameDesign)
 {
-    for (auto const& constraints : {std::vector<LinearConstraint>{}, {kinetic_below_static}}) {
+    for (auto const& constraints : {std::vector<LinearConstraint>{}, {kinetic_at_most_static}}) {
         auto const make = [&](std::uint64_t seed) {
             return make_design(latin_hypercube(10), {static_friction, kinetic_friction}, constraints, seed);
         };

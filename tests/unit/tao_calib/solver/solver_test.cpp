@@ -18,7 +18,7 @@ Pounders pounders()
 }
 
 //! Rosenbrock's residuals shifted by a target of 1.3: r = (10 (y - x^2), 1.3 - x).
-LeastSquaresProblem rosenbrock()
+LeastSquaresProblem rosenbrock_problem()
 {
     return {2, 2, [](VectorXd const& x) { return VectorXd{{10 * (x[1] - x[0] * x[0]), 1.3 - x[0]}}; }};
 }
@@ -49,7 +49,7 @@ TEST(Pounders, FitsChwirut1)
 TEST(Pounders, FindsAMinimumInACornerOfTheCube)
 {
     for (auto const& start : {VectorXd{{0.2, 0.9}}, VectorXd{{1.0, 0.0}}, VectorXd{{1.0, 1.0}}}) {
-        auto const result = pounders().minimise(rosenbrock(), start, {});
+        auto const result = pounders().minimise(rosenbrock_problem(), start, {});
         EXPECT_NEAR(result.point[0], 1, 1e-6) << result.ending;
         EXPECT_NEAR(result.point[1], 1, 1e-6);
         EXPECT_NEAR(result.sum_of_squares, 0.09, 1e-7);
@@ -59,7 +59,7 @@ TEST(Pounders, FindsAMinimumInACornerOfTheCube)
 
 TEST(Pounders, ANumberThatIsNoneIsAvoided)
 {
-    auto problem = rosenbrock();
+    auto problem = rosenbrock_problem();
     problem.evaluate = [inner = problem.evaluate](VectorXd const& x) {
         VectorXd residuals = inner(x);
         if (x[0] < 0.15)
@@ -74,7 +74,7 @@ TEST(Pounders, EndsAtItsBudgetWithTheBestPoint)
 {
     int evaluations = 0;
     double best = std::numeric_limits<double>::infinity();
-    auto problem = rosenbrock();
+    auto problem = rosenbrock_problem();
     problem.evaluate = [&, inner = problem.evaluate](VectorXd const& x) {
         ++evaluations;
         VectorXd const residuals = inner(x);
@@ -96,13 +96,14 @@ TEST(Pounders, PassesExceptionsOfTheProblemOn)
                                       [](VectorXd const&) -> VectorXd { throw std::out_of_range("lost"); }};
     EXPECT_THROW((void)pounders().minimise(problem, VectorXd{{0.5}}, {}), std::out_of_range);
     // ... and works again afterwards.
-    EXPECT_NEAR(pounders().minimise(rosenbrock(), VectorXd{{0.5, 0.5}}, {}).sum_of_squares, 0.09, 1e-6);
+    EXPECT_NEAR(pounders().minimise(rosenbrock_problem(), VectorXd{{0.5, 0.5}}, {}).sum_of_squares, 0.09,
+                1e-6);
 }
 
 TEST(Pounders, GivesTheSameBitsAgain)
 {
-    auto const first = pounders().minimise(rosenbrock(), VectorXd{{0.3, 0.7}}, {});
-    auto const second = pounders().minimise(rosenbrock(), VectorXd{{0.3, 0.7}}, {});
+    auto const first = pounders().minimise(rosenbrock_problem(), VectorXd{{0.3, 0.7}}, {});
+    auto const second = pounders().minimise(rosenbrock_problem(), VectorXd{{0.3, 0.7}}, {});
     EXPECT_EQ(first.point, second.point);
     EXPECT_EQ(first.evaluations, second.evaluations);
 }

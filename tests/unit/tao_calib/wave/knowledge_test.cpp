@@ -1,3 +1,4 @@
+#include "demens/base/not_a_number.hpp"
 #include "tao_calib/summary.hpp"
 #include "tao_calib/wave/tolerance_region.hpp"
 #include "tao_calib/wave/tradeoff.hpp"
@@ -7,8 +8,6 @@
 
 namespace demens::tao_calib {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 //! Two factors in [0, 1], responses without scatter, targets for the first of them, 16 runs of a design.
 StandIn design_of(StandIn::Formula const& formula, rig::RigInfo const& rig,
@@ -91,7 +90,7 @@ TEST(Tradeoff, NamesThePairAndTheResponseThatSeparatesIt)
         [](std::vector<double> const& f, int) {
             return std::vector<double>{f[0] + f[1], 7, f[0] - f[1]};
         },
-        rig, {1.0}, none);
+        rig, {1.0}, not_a_number);
     Assessment const assessment(stand_in.campaign, pounders());
     auto const pairs = tradeoffs(stand_in.campaign, assessment, factor_uncertainty(assessment, 1));
     ASSERT_EQ(pairs.size(), 1u);
@@ -119,7 +118,7 @@ TEST(Tradeoff, SuggestsNoResponseThatCannotBeMeasured)
         [](std::vector<double> const& f, int) {
             return std::vector<double>{f[0] + f[1], 7, f[0] - f[1]};
         },
-        rig, {1.0}, none);
+        rig, {1.0}, not_a_number);
     Assessment const assessment(stand_in.campaign, pounders());
     auto const pairs = tradeoffs(stand_in.campaign, assessment, factor_uncertainty(assessment, 1));
     ASSERT_EQ(pairs.size(), 1u);
@@ -133,7 +132,7 @@ TEST(Tradeoff, IsNoneWhereTheTargetsDetermineTheFactors)
         [](std::vector<double> const& f, int) {
             return std::vector<double>{f[0] + f[1], f[0] - f[1]};
         },
-        rig, {1.0, 0.1}, none);
+        rig, {1.0, 0.1}, not_a_number);
     Assessment const assessment(stand_in.campaign, pounders());
     EXPECT_TRUE(tradeoffs(stand_in.campaign, assessment, factor_uncertainty(assessment, 1)).empty());
 }
@@ -146,7 +145,7 @@ TEST(Region90, IsTheEllipseOfLinearLeastSquares)
         [](std::vector<double> const& f, int) {
             return std::vector<double>{f[0] + f[1], f[0] - f[1]};
         },
-        rig, {1.0, 0.1}, none);
+        rig, {1.0, 0.1}, not_a_number);
     Assessment const assessment(stand_in.campaign, pounders());
     auto const known = factor_uncertainty(assessment, 1);
     double const radius = std::sqrt(4.605170 / 2) * 0.02;
@@ -163,7 +162,7 @@ TEST(OutOfReach, SaysByHowMuch)
     // Responses go up to 1; the target is 1.4.
     static auto const rig = response_names({"y"});
     auto stand_in = design_of([](std::vector<double> const& f, int) { return std::vector<double>{f[0]}; },
-                              rig, {1.4}, none);
+                              rig, {1.4}, not_a_number);
     stand_in.advance();
     double const distance = stand_in.stored("optimum/out_of_reach").front();
     EXPECT_GT(distance, 0.4 - 1e-9);
@@ -179,7 +178,7 @@ TEST(Summary, WarnsOfAResponseThatNothingActsOn)
         [](std::vector<double> const& f, int) {
             return std::vector<double>{f[0], 3};
         },
-        rig, {0.5, 3}, none);
+        rig, {0.5, 3}, not_a_number);
     stand_in.advance();
     EXPECT_NE(summary(stand_in.campaign).find("bench.dead is the same in all runs"), std::string::npos)
         << summary(stand_in.campaign);

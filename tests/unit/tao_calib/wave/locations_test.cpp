@@ -1,19 +1,18 @@
 #include "tao_calib/wave/locations.hpp"
 
+#include "demens/base/not_a_number.hpp"
+
 #include <cmath>
 #include <gtest/gtest.h>
-#include <limits>
 
 namespace demens::tao_calib {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
 class LocationsTest : public ::testing::Test
 {
   protected:
-    Objective objective{
-        {{0, {"a", 0, 10, 1, none, none}, "e.a", ""}, {1, {"b", 1, 5, 1, none, none}, "f.b", ""}}};
+    Objective objective{{{0, {"a", 0, 10, 1, not_a_number, not_a_number}, "e.a", ""},
+                         {1, {"b", 1, 5, 1, not_a_number, not_a_number}, "f.b", ""}}};
     UnitCube cube{{{"x", "x", 0.0, 2.0}}, {}};
     Locations locations{objective, cube};
     int next = 0;
@@ -27,7 +26,7 @@ class LocationsTest : public ::testing::Test
         record.experiment = experiment;
         record.factors = {x};
         record.status = status;
-        record.responses = {experiment == 0 ? value : none, experiment == 1 ? value : none};
+        record.responses = {experiment == 0 ? value : not_a_number, experiment == 1 ? value : not_a_number};
         locations.add(record);
     }
 };

@@ -1,3 +1,4 @@
+#include "demens/base/not_a_number.hpp"
 #include "tao_calib/summary.hpp"
 #include "tao_calib/wave/screening.hpp"
 #include "tests/unit/tao_calib/wave/stand_in.hpp"
@@ -6,8 +7,6 @@
 
 namespace demens::tao_calib {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 //! The six candidates of the AM powder paper: friction, rolling friction and surface energy between particles
 //! (act) and against the tool (do not), in 16 + 1 points of two packings each.
@@ -30,7 +29,8 @@ StandIn powder(double scatter)
     experiment.rig = &rig;
     experiment.responses = rig.responses;
     experiment.replicates = 2;
-    experiment.targets = {{"break", 0, 26.5, 0.5, 0.2, none}, {"rest", 1, 23.0, 0.5, 0.2, none}};
+    experiment.targets = {{"break", 0, 26.5, 0.5, 0.2, not_a_number},
+                          {"rest", 1, 23.0, 0.5, 0.2, not_a_number}};
     input.experiments = {experiment};
     input.screening.points = 16;
     input.design.kind = ensemble::DesignKind::central_composite;
@@ -110,7 +110,8 @@ StandIn ring(int centre_points)
     experiment.name = "in";
     experiment.rig = &rig;
     experiment.responses = rig.responses;
-    experiment.targets = {{"speed", 0, 1.0, 0.01, 0.01, none}, {"y", 1, 0.06, 0.001, 0.001, none}};
+    experiment.targets = {{"speed", 0, 1.0, 0.01, 0.01, not_a_number},
+                          {"y", 1, 0.06, 0.001, 0.001, not_a_number}};
     input.experiments = {experiment};
     input.screening.points = 4;
     input.screening.centre_repetitions = centre_points;

@@ -1,5 +1,6 @@
 #include "tao_calib/wave/uncertainty.hpp"
 
+#include "demens/base/not_a_number.hpp"
 #include "tao_calib/summary.hpp"
 #include "tests/unit/tao_calib/wave/stand_in.hpp"
 
@@ -9,8 +10,6 @@ namespace demens::tao_calib {
 namespace {
 
 using Eigen::VectorXd;
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 //! Two or more factors in [0, 1] and linear responses without scatter, all with measurement errors of `sd`.
 StandIn linear(StandIn::Formula const& formula, rig::RigInfo const& rig, std::vector<double> const& targets,
@@ -27,7 +26,7 @@ StandIn linear(StandIn::Formula const& formula, rig::RigInfo const& rig, std::ve
         ensemble::Target target;
         target.response = rig.responses[t].name;
         target.response_index = static_cast<int>(t);
-        target.value = targets[t], target.scale = 1, target.sd = sd, target.tolerance = none;
+        target.value = targets[t], target.scale = 1, target.sd = sd, target.tolerance = not_a_number;
         experiment.targets.push_back(target);
     }
     input.experiments = {experiment};
