@@ -8,18 +8,25 @@ if(NOT DEMENS_NVCC)
   message(STATUS "No nvcc: nothing is compiled for CUDA devices")
 endif()
 
-# add_cuda_library(NAME SOURCE [flags...]): code for two generations of devices, and PTX, which the driver translates
+set(DEMENS_CUDA_ARCHITECTURES "80;90" CACHE STRING "Compute capabilities of devices for which code is compiled, ascending")
+
+# add_cuda_library(NAME SOURCE [flags...]): code for these devices, and PTX of the last one, which the driver translates
 # for later ones. Without nvcc there is no such target.
 function(add_cuda_library name source)
   if(NOT DEMENS_NVCC)
     return()
   endif()
   set(library ${CMAKE_CURRENT_BINARY_DIR}/lib${name}.so)
+  set(devices)
+  foreach(device ${DEMENS_CUDA_ARCHITECTURES})
+    list(APPEND devices -gencode arch=compute_${device},code=sm_${device})
+  endforeach()
+  list(GET DEMENS_CUDA_ARCHITECTURES -1 last)
+  list(APPEND devices -gencode arch=compute_${last},code=compute_${last})
   add_custom_command(
     OUTPUT ${library}
-    COMMAND ${DEMENS_NVCC} -std=c++20 -O2 -DNDEBUG -gencode arch=compute_80,code=sm_80 -gencode
-            arch=compute_90,code=sm_90 -gencode arch=compute_90,code=compute_90 --expt-relaxed-constexpr
-            --extended-lambda -Werror=all-warnings ${ARGN} -Xcompiler=-Wall,-ffp-contract=off,-fno-math-errno -shared
+    COMMAND ${DEMENS_NVCC} -std=c++20 -O2 -DNDEBUG ${devices} --expt-relaxed-constexpr --extended-lambda
+            -Werror=all-warnings ${ARGN} -Xcompiler=-Wall,-ffp-contract=off,-fno-math-errno -shared
             -Xcompiler=-fPIC,-fvisibility=hidden,-fvisibility-inlines-hidden -I${PROJECT_SOURCE_DIR}
             -I${PROJECT_SOURCE_DIR}/include -MD -MF ${library}.d -MT ${library} ${CMAKE_CURRENT_SOURCE_DIR}/${source}
             -o ${library}
