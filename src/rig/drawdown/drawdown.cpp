@@ -6,6 +6,7 @@
 #include "src/rig/rigs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -141,8 +142,16 @@ std::vector<Stage> filling(Setup const& rig)
     return stages;
 }
 
-//! Whether the discharge is over: nothing moves, and enough has left. \throws RunFailure when nothing moves
-//! for half a second though too much is still there.
+//! Grains over the middle half of the slot are held by an arch: wedges end at its edges.
+bool is_slot_covered(Look& look, Setup const& rig)
+{
+    auto const places = look.grains().places();
+    return std::any_of(places.begin(), places.end(),
+                       [&](dem::Place const& p) { return p.z > 0 && std::abs(p.x) < 0.25 * rig.slot; });
+}
+
+//! Whether the discharge is over: nothing moves, enough has left, and nothing lies over the slot.
+//! \throws RunFailure when nothing moves for half a second though it is not.
 bool has_ended(Look& look, Setup const& rig)
 {
     auto const& progress = look.progress();
@@ -150,7 +159,7 @@ bool has_ended(Look& look, Setup const& rig)
                &speeds = progress.series.column("largest_speed");
     if (speeds.back() >= rig.end_speed)
         return false;
-    if (masses.back() < rig.end_fraction * masses.front())
+    if (masses.back() < rig.end_fraction * masses.front() && !is_slot_covered(look, rig))
         return true;
     std::size_t quiet = speeds.size() - 1;
     while (quiet > progress.rows[progress.stage].first && speeds[quiet - 1] < rig.end_speed)

@@ -64,7 +64,9 @@ OptionSpecs options()
                  0.0),
           number("end_speed_m_s", 0.2, "the run ends when no particle is faster [m/s]", 1e-6),
           number("end_mass_fraction", 0.75,
-                 "... and less than this fraction of the mass is in the upper box [-]", 0.0, 1.0),
+                 "... less than this fraction of the mass is in the upper box, and nothing lies over the "
+                 "slot [-]",
+                 0.0, 1.0),
           number("longest_discharge_s", 30, "a discharge that takes longer is a failed run [s]", 1e-3),
           number("line_margin", 0.1,
                  "part of a slope's width left out at either end when its line is fitted [-]", 0.0, 0.4),
