@@ -98,8 +98,8 @@ void print_all_runs(Campaign const& campaign, Work const& work, int groups)
     int const left = campaign.runs_left();
     double const mean = work.total / static_cast<double>(work.seconds.size());
     double const all = ensemble::time_to_run(work.seconds, groups) + left * mean / groups / busy_enough;
-    fmt::print("  all {} runs that [stop] allows: some {}, if runs cost as much as these\n",
-               campaign.runs_planned() + left, duration_text(all));
+    fmt::print("  all {} runs that [stop] allows: some {} with {} group{}, if runs cost as much as these\n",
+               campaign.runs_planned() + left, duration_text(all), groups, groups == 1 ? "" : "s");
 }
 
 int plan(std::string const& file)
