@@ -35,14 +35,27 @@ double misfit(CurveTarget const& target, MeasuredCurve const& simulated, std::ve
     return all > 0 ? sum / all : not_a_number;
 }
 
+std::string response_name(CurveTarget const& target, CurveWindow const& window)
+{
+    return fmt::format("{}_{}", target.name, window.name);
+}
+
 } // namespace
+
+CurveWindow const* window_of(CurveTarget const& target, std::string const& response)
+{
+    for (auto const& window : target.windows)
+        if (response_name(target, window) == response)
+            return &window;
+    return nullptr;
+}
 
 std::vector<rig::ResponseInfo> responses_of(CurveTarget const& target, std::string const& axis_units,
                                             std::string const& units)
 {
     std::vector<rig::ResponseInfo> responses;
     for (auto const& window : target.windows)
-        responses.push_back({fmt::format("{}_{}", target.name, window.name), units,
+        responses.push_back({response_name(target, window), units,
                              fmt::format("mean of {} from {:.4g} to {:.4g} {}", target.name, window.from,
                                          window.to, axis_units)});
     if (target.shift == CurveShift::free)

@@ -46,7 +46,9 @@ struct CurveTarget
 //! What the curve adds to the responses of its experiment, in order.
 std::vector<rig::ResponseInfo> responses_of(CurveTarget const& target, std::string const& axis_units,
                                             std::string const& units);
-//! The same of a run: means over the windows, by straight lines between its points. Before its first and
+//! The window whose mean a response is; none: it is of another curve, or something else.
+CurveWindow const* window_of(CurveTarget const& target, std::string const& response);
+//! The responses of a run: means over the windows, by straight lines between its points. Before its first and
 //! after its last point a series stays as it is there; a profile has no value there. NaN where a window
 //! cannot be filled.
 std::vector<double> responses_of(CurveTarget const& target, rig::RunResult const& result);

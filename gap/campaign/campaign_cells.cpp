@@ -16,7 +16,7 @@ std::string family_of(Experiment const& experiment, Target const& target)
         return "picture";
     if (target.comes_of == TargetSource::curve)
         for (auto const& curve : experiment.curves)
-            if (target.response.starts_with(curve.name + "_"))
+            if (window_of(curve, target.response))
                 return curve.name;
     return target.response;
 }

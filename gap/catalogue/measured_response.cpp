@@ -1,8 +1,6 @@
 #include "gap/catalogue/measured_response.hpp"
 
-#include <algorithm>
-#include <map>
-#include <span>
+#include "demens/observe/surface.hpp"
 
 namespace demens::gap {
 namespace {
@@ -13,34 +11,24 @@ constexpr std::size_t least_points = 3; //!< that a slope is taken of, where the
 constexpr double mm = 1e3;              //!< in a metre
 
 //! Of the line through the points `first` to `end` and, where these are few, those beside them.
-double slope_about(std::span<double const> axis, std::span<double const> values, std::size_t first,
+double slope_about(std::vector<double> const& axis, std::vector<double> const& values, std::size_t first,
                    std::size_t end)
 {
     while (end - first < least_points && end - first < axis.size()) {
         first -= first > 0;
         end += end < axis.size();
     }
-    auto const n = static_cast<double>(end - first);
-    double middle = 0, mean = 0;
-    for (std::size_t k = first; k < end; ++k) {
-        middle += axis[k] / n;
-        mean += values[k] / n;
-    }
-    double both = 0, square = 0;
-    for (std::size_t k = first; k < end; ++k) {
-        both += (axis[k] - middle) * (values[k] - mean);
-        square += (axis[k] - middle) * (axis[k] - middle);
-    }
-    return square > 0 ? both / square : 0;
+    return observe::fit_line({&axis[first], &axis[first] + (end - first)},
+                             {&values[first], &values[first] + (end - first)})
+        .slope;
 }
 
-void add_window(MeasuredResponse& response, CurveTarget const& target, std::size_t window)
+void add_window(MeasuredResponse& response, CurveTarget const& target, ensemble::CurveWindow const& window)
 {
-    auto const& of = target.windows.at(window);
     response.over_time = !target.is_profile;
     response.zero_known = target.shift == ensemble::CurveShift::fixed;
-    response.place = (of.from + of.to) / 2;
-    response.slope = slope_about(target.curve.axis, target.curve.values, of.first, of.end);
+    response.place = (window.from + window.to) / 2;
+    response.slope = slope_about(target.curve.axis, target.curve.values, window.first, window.end);
 }
 
 void add_segment(MeasuredResponse& response, PictureTarget const& target, std::size_t segment)
@@ -54,29 +42,21 @@ void add_segment(MeasuredResponse& response, PictureTarget const& target, std::s
     response.slope = slope_about(x, z, segment, segment + 1);
 }
 
-CurveTarget const* curve_of(Experiment const& experiment, std::string const& response)
-{
-    auto const curve = std::find_if(experiment.curves.begin(), experiment.curves.end(),
-                                    [&](auto const& one) { return response.starts_with(one.name + "_"); });
-    return curve == experiment.curves.end() ? nullptr : &*curve;
-}
-
 } // namespace
 
 std::vector<MeasuredResponse> measured_responses(Experiment const& experiment,
                                                  std::vector<ensemble::Target> const& targets)
 {
     std::vector<MeasuredResponse> responses;
-    std::map<CurveTarget const*, std::size_t> windows; // seen so far, as segments
-    std::size_t segments = 0;
+    std::size_t segments = 0; // seen so far, which are targets in their order
     for (auto const& target : targets) {
         auto const& of = experiment.responses.at(static_cast<std::size_t>(target.response_index));
         responses.push_back({of.name, of.units, target.value, target.comes_of});
         if (target.comes_of == TargetSource::picture && experiment.picture)
             add_segment(responses.back(), *experiment.picture, segments++);
-        if (target.comes_of == TargetSource::curve)
-            if (auto const* curve = curve_of(experiment, target.response))
-                add_window(responses.back(), *curve, windows[curve]++);
+        for (auto const& curve : experiment.curves)
+            if (auto const* window = window_of(curve, target.response))
+                add_window(responses.back(), curve, *window);
     }
     return responses;
 }

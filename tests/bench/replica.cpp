@@ -97,7 +97,7 @@ dem::WallShape mantle(State const& state, int triangles)
     double const slenderness = 2 * std::numbers::pi * state.width / state.depth;
     int const along = static_cast<int>(std::lround(std::sqrt(0.5 * triangles / slenderness)));
     int const around = static_cast<int>(std::lround(0.5 * triangles / along));
-    return test::mesh_of(testing::drum_triangles(state.width, cylinder.half_length, around, along));
+    return test::mesh_of(test::drum_triangles(state.width, cylinder.half_length, around, along));
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 namespace demens::test {
 
+//! Each component is as expected, up to the tolerance.
 inline void expect_near(Vector3 const& a, Vector3 const& b, double tolerance = 1e-12)
 {
     EXPECT_NEAR(a.x, b.x, tolerance);

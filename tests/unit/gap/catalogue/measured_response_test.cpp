@@ -36,8 +36,9 @@ ensemble::Target target_of(std::string const& response, int index, double value,
 Experiment weighed()
 {
     Experiment experiment{};
-    experiment.responses = {{"mass_early", "kg", ""}, {"mass_late", "kg", ""}, {"mass_end", "kg", ""}};
-    CurveTarget curve{.name = "mass"};
+    experiment.responses = {
+        {"mass_left_early", "kg", ""}, {"mass_left_late", "kg", ""}, {"mass_left_end", "kg", ""}};
+    CurveTarget curve{.name = "mass_left"};
     for (int k = 0; k <= 20; ++k) {
         curve.curve.axis.push_back(0.1 * k);
         curve.curve.values.push_back(0.01 * k * k);
@@ -45,7 +46,7 @@ Experiment weighed()
     curve.windows = {{.name = "early", .from = 0, .to = 1, .first = 0, .end = 11},
                      {.name = "late", .from = 1, .to = 2, .first = 10, .end = 21},
                      {.name = "end", .from = 1.95, .to = 2, .first = 20, .end = 21}};
-    experiment.curves = {curve};
+    experiment.curves = {CurveTarget{.name = "mass"}, curve}; // names may begin alike
     for (int k = 0; k < 3; ++k)
         experiment.targets.push_back(
             target_of(experiment.responses[static_cast<std::size_t>(k)].name, k, 1, TargetSource::curve));
@@ -66,10 +67,10 @@ TEST(MeasuredResponse, ADelayedBalanceShowsTheCurveLater)
 TEST(MeasuredResponse, NobodySeesADelayWhereTheCurveMayBeMoved)
 {
     auto experiment = weighed();
-    experiment.curves[0].shift = ensemble::CurveShift::free;
+    experiment.curves[1].shift = ensemble::CurveShift::free;
     EXPECT_EQ(change_of("balance_delay")(measured_responses(experiment, experiment.targets)[1]), 0);
     experiment = weighed();
-    experiment.curves[0].is_profile = true;
+    experiment.curves[1].is_profile = true;
     EXPECT_EQ(change_of("balance_delay")(measured_responses(experiment, experiment.targets)[1]), 0);
     EXPECT_EQ(change_of("time_base")(measured_responses(experiment, experiment.targets)[1]), 0);
 }
