@@ -80,4 +80,37 @@ inline Vector3 sum_of_forces(dem::Simulation& simulation, double& magnitude)
     return sum;
 }
 
+inline void expect_no_force_is_left(dem::Simulation& simulation)
+{
+    if (simulation.options().surroundings.is_any())
+        return; // their forces have no counterpart
+    double magnitude = 0;
+    Vector3 const left = sum_of_forces(simulation, magnitude);
+    ASSERT_LE(norm(left), 1e-13 * magnitude);
+}
+
+//! Steps both and compares before chance takes over: rounding grows at every collision. \param furthest apart
+//! that the same particles may be [m]
+inline void expect_the_same(dem::Simulation& alone, dem::Simulation& shared, int rounds, int steps,
+                            double furthest)
+{
+    for (int k = 0; k < rounds; ++k) {
+        alone.advance(steps), shared.advance(steps);
+        ASSERT_EQ(alone.health(), shared.health());
+        auto const difference = difference_of(alone, shared);
+        ASSERT_LT(difference.place, furthest) << "round " << k;
+        ASSERT_LT(difference.velocity, 1e-7);
+        ASSERT_EQ(alone.counts().contacts, shared.counts().contacts) << "round " << k;
+        ASSERT_EQ(alone.counts().wall_contacts, shared.counts().wall_contacts);
+        ASSERT_NEAR(alone.kinetic_energy(), shared.kinetic_energy(), 1e-9 * alone.kinetic_energy());
+        expect_no_force_is_left(shared);
+        auto const loads_alone = alone.read_wall_loads(), loads_shared = shared.read_wall_loads();
+        for (std::size_t w = 0; w < alone.walls().size(); ++w) {
+            auto const &a = loads_alone[w], &b = loads_shared[w];
+            ASSERT_LE(norm(a.force - b.force), 1e-5 * norm(a.force)) << "wall " << w;
+            ASSERT_LE(norm(a.torque - b.torque), 1e-5 * norm(a.force) * 0.1) << "wall " << w;
+        }
+    }
+}
+
 } // namespace demens::test

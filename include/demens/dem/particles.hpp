@@ -45,9 +45,11 @@ struct Particles
     std::vector<Load> load;
     std::vector<std::uint32_t> material; //!< index into the model's materials
     std::vector<std::uint32_t> id;       //!< order in which particles were added
-    std::vector<std::uint32_t> body;     //!< rigid body of each, or `alone`; empty where all are alone
+    std::vector<std::uint32_t> body;     //!< rigid body of each, or `alone`
     static constexpr std::uint32_t alone = 0xffffffff;
-    std::vector<std::uint8_t> hull; //!< 1: the sphere that holds a hull; empty where none is
+    std::vector<std::uint8_t> hull; //!< 1: the sphere that holds a hull
+    bool has_bodies = false;        //!< whether the column `body` is there; without it all are alone
+    bool has_hulls = false;         //!< whether the column `hull` is there
     std::size_t ghosts = 0;
 
     std::size_t size() const { return place.size(); }
@@ -59,13 +61,14 @@ struct Particles
     bool is_whole() const
     {
         return motion.size() == size() && load.size() == size() && material.size() == size() &&
-               id.size() == size() && (body.empty() || body.size() == size()) &&
-               (hull.empty() || hull.size() == size()) && ghosts <= size();
+               id.size() == size() && body.size() == (has_bodies ? size() : 0) &&
+               hull.size() == (has_hulls ? size() : 0) && ghosts <= size();
     }
     void resize(std::size_t count)
     {
         place.resize(count), motion.resize(count), load.resize(count);
         material.resize(count), id.resize(count);
+        body.resize(has_bodies ? count : 0, alone), hull.resize(has_hulls ? count : 0);
     }
 };
 

@@ -114,6 +114,7 @@ void show_outline(Particles& all, Periods const& periods, State const& state, st
 Particles elements_now(Params const& params, State const& state)
 {
     Particles all = state.particles;
+    all.resize(all.owned()), all.ghosts = 0;
     CatchUp const catches_up = catch_up(params, state);
     for (std::size_t k = 0; k < all.size(); ++k) {
         if (!all.is_alone(k))
@@ -145,7 +146,7 @@ Particles grains_now(Params const& params, State const& state)
         grains.place.push_back(place), grains.motion.push_back(motion), grains.load.push_back(load);
         grains.material.push_back(elements.material[first]), grains.id.push_back(elements.id[first]);
     };
-    for (std::size_t k = 0; k < state.particles.size(); ++k) // the others are balls of hulls
+    for (std::size_t k = 0; k < state.particles.owned(); ++k) // the others are balls of hulls
         if (state.particles.is_alone(k))
             add(elements.place[k], elements.motion[k], elements.load[k], k);
     RigidBodies const& bodies = state.bodies;

@@ -116,10 +116,10 @@ struct ContactList
     }
 };
 
-//! Part of a list's contacts that belongs to this process: those with ghosts are half the other's.
-inline double share_of(ContactList const& list)
+//! Part of the contacts of this kind that belongs to this process: those with ghosts are half the other's.
+inline double share_of(ContactKind kind)
 {
-    return list.kind == ContactKind::ghost ? 0.5 : 1.0;
+    return kind == ContactKind::ghost ? 0.5 : 1.0;
 }
 
 //! All contacts of a process: of each kind a list for each law set, by its number.

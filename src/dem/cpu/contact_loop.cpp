@@ -64,7 +64,7 @@ void ContactLoop::evaluate(Params const& params, State& state, ContactList& list
         state.overlapping |= derive_geometry(block, with_wall, options.overlap_limit);
         evaluate_laws(block, laws, layout, options.time_step);
         if (layout.ledger) {
-            state.tally.losses.add(block, share_of(list));
+            state.tally.losses.add(block, share_of(list.kind));
             if (with_wall)
                 state.tally.work_of_walls += work_beside_torque(block, options.time_step, [&](int l) {
                     return state.walls.all()[list.second[block.slot[l]]].spin;

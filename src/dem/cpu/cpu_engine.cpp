@@ -3,7 +3,6 @@
 
 #include "demens/base/contract.hpp"
 #include "src/dem/cpu/particle_motion.hpp"
-#include "src/dem/cpu/removal.hpp"
 #include "src/dem/cpu/surrounding_loads.hpp"
 
 #include <algorithm>
@@ -79,55 +78,34 @@ void CpuEngine::add(Body const& body, Vector3 const& v)
     double const mass =
         params_->materials[body.material.value].density * 4.0 / 3.0 * std::numbers::pi * r * r * r;
     DEMENS_EXPECT(mass > 0, "a body has a mass");
-    if (!body.is_sphere())
-        partition_->require_rigid_bodies();
     if (body.is_hull())
         require_hulls(*params_);
     materials_.bodies_enter(*params_, body.material, 1, state_.walls.all());
     note_change();
+    auto const id = state_.particles_added;
+    state_.particles_added += static_cast<std::uint32_t>(body.elements());
+    Particles& particles = state_.particles;
+    if (!body.is_sphere())
+        expect_body(state_.bodies, particles, body);
+    if (!partition_->takes(id, state_))
+        return;
     if (!body.is_sphere()) {
-        add_body(state_.bodies, state_.particles, body, v, mass, state_.particles_added);
-        state_.particles_added += static_cast<std::uint32_t>(body.elements());
+        add_body(state_.bodies, particles, body, v, mass, id);
         accounts_->body_added(*params_, state_);
         return;
     }
-    auto const id = state_.particles_added++;
-    Particles& particles = state_.particles;
-    if (!partition_->takes(id, particles))
-        return;
     particles.place.push_back({body.position.x, body.position.y, body.position.z, r});
     particles.motion.push_back(
         {v.x, v.y, v.z, mass, body.spin.x, body.spin.y, body.spin.z, 0.4 * mass * r * r});
     particles.load.push_back({});
     particles.material.push_back(body.material.value);
     particles.id.push_back(id);
-    if (!particles.body.empty())
+    if (particles.has_bodies)
         particles.body.push_back(Particles::alone);
-    if (!particles.hull.empty())
+    if (particles.has_hulls)
         particles.hull.push_back(0);
     accounts_->particle_added(*params_, state_);
 }
-
-namespace {
-
-//! Adds the other elements of bodies whose first one is named. \return how many more ids these have, of a
-//! hull those of the balls that it is read as
-std::size_t note_elements(State const& state, std::unordered_set<std::uint32_t>& ids)
-{
-    RigidBodies const& bodies = state.bodies;
-    std::size_t more = 0;
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        std::size_t const first = bodies.elements_begin(b);
-        if (!ids.contains(state.particles.id[bodies.element[first]]))
-            continue;
-        for (std::size_t e = first; e < bodies.elements_end[b]; ++e)
-            ids.insert(state.particles.id[bodies.element[e]]);
-        more += bodies.ids(b) - 1;
-    }
-    return more;
-}
-
-} // namespace
 
 //! Neighbours feel the loads of the last step once more, those of what is gone too, as when a wall goes.
 void CpuEngine::remove(std::span<ParticleId const> ids)
@@ -139,11 +117,7 @@ void CpuEngine::remove(std::span<ParticleId const> ids)
         numbers.insert(id.value);
     DEMENS_EXPECT(numbers.size() == ids.size(), "each is named once");
     accounts_->before_removal(*params_, state_);
-    std::size_t const all = ids.size() + note_elements(state_, numbers);
-    auto const new_numbers = partition_->remove(state_.particles, state_.contacts, numbers);
-    if (!state_.bodies.empty())
-        remove_bodies(state_.particles, state_.bodies, state_.hulls, new_numbers);
-    state_.particles_removed += static_cast<std::uint32_t>(all);
+    state_.particles_removed += static_cast<std::uint32_t>(partition_->remove(state_, std::move(numbers)));
     accounts_->after_removal(*params_, state_);
     note_change();
     DEMENS_EXPECT(partition_->sum(static_cast<double>(ids_here(state_))) + state_.particles_removed ==
@@ -235,7 +209,7 @@ CpuEngine::Seen const& CpuEngine::present()
             compute_loads(state_.steps_done);
         seen.wall_loads = std::move(state_.wall_loads);
         state_ = std::move(kept);
-        partition_->restore(shares, state_.particles);
+        partition_->restore(shares, state_);
         partition_->note_change();
     }
     return seen_.emplace(std::move(seen));
@@ -307,7 +281,7 @@ void CpuEngine::search_neighbours()
     bool const outside = is_outside(particles, options.domain_lower, options.domain_upper);
     if (partition_->largest(outside ? 1.0 : 0.0) > 0) {
         state_.left_domain = true; // or is not a number; `health` tells which
-        partition_->give_up(particles, state_.contacts);
+        partition_->give_up(state_);
         state_.hulls.for_each([](HullContactList& list) { list.clear(); });
         return;
     }
@@ -317,11 +291,12 @@ void CpuEngine::search_neighbours()
     for (auto const& range : lists.ranges)
         furthest = std::max(furthest, range.gap);
     lists.reach = {options.skin + furthest, near_share * options.skin + furthest};
-    partition_->distribute(particles, state_.contacts, {radius, lists.reach.candidates});
+    double const arm = particles.has_bodies ? partition_->largest(largest_arm(state_.bodies)) : 0;
+    partition_->distribute(state_, {radius, lists.reach.candidates, arm});
     search_.rebuild(particles, state_.walls.all(), lists.reach, state_.contacts);
     partition_->renumber(search_.new_numbers(), particles);
     renumber(state_.bodies, search_.new_numbers());
-    if (!particles.hull.empty())
+    if (particles.has_hulls)
         hull_search_.rebuild(search_, particles, state_.walls.all(), state_.hulls);
     lists.smallest_radius = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < particles.owned(); ++k)
@@ -352,12 +327,13 @@ void CpuEngine::compute_loads(std::int64_t step)
     bool const renews = lists.travelled > lists.near_until;
     if (renews)
         lists.near_until = lists.travelled + 0.5 * near_share * params_->options.skin;
-    partition_->begin_exchange(state_.particles);
+    partition_->begin_exchange(state_);
     compute_contacts(state_.contacts.pairs, renews);
     compute_contacts(state_.contacts.walls, false);
     hull_loop_.compute(*params_, state_);
-    partition_->finish_exchange(state_.particles);
+    partition_->finish_exchange(state_);
     compute_contacts(state_.contacts.ghosts, renews);
+    hull_loop_.compute_with_ghosts(*params_, state_);
     if (params_->options.surroundings.is_any())
         add_surrounding_loads(*params_, state_, step);
     accounts_->loads_known(*params_, state_, step);

@@ -1,6 +1,7 @@
 #include "demens/base/contract.hpp"
 #include "src/dem/cpu/body_readings.hpp"
 #include "src/dem/cpu/cpu_engine.hpp"
+#include "src/dem/cpu/decomposition/byte_stream.hpp"
 #include "src/dem/cpu/energy_sums.hpp"
 #include "src/dem/motion_readings.hpp"
 
@@ -48,8 +49,8 @@ StateView view_of(Particles const& all, Fields fields, CatchUp const& catches_up
 
 StateView CpuEngine::read(Fields fields)
 {
-    if (!state_.bodies.empty()) {
-        elements_ = elements_now(*params_, state_);
+    if (state_.particles.has_bodies) {
+        elements_ = partition_->gather(elements_now(*params_, state_));
         return view_of(elements_, fields, {});
     }
     return view_of(partition_->gather(state_.particles, fields), fields, catch_up(*params_, state_));
@@ -57,27 +58,46 @@ StateView CpuEngine::read(Fields fields)
 
 StateView CpuEngine::read_grains(Fields fields)
 {
-    if (state_.bodies.empty())
+    if (!state_.particles.has_bodies)
         return read(fields);
-    grains_ = grains_now(*params_, state_);
+    grains_ = partition_->gather(grains_now(*params_, state_));
     return view_of(grains_, fields, {});
 }
 
 std::vector<HullPlace> CpuEngine::read_hulls()
 {
     RigidBodies const& bodies = state_.bodies;
-    std::vector<HullPlace> hulls;
+    if (!state_.particles.has_hulls)
+        return {};
+    struct Hull
+    {
+        std::uint32_t id, shape;
+        Vector3 place;
+        Quaternion orientation;
+        double radius;
+    };
+    Team::Bytes mine;
+    ByteWriter out(mine);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (!bodies.is_hull(b))
             continue;
         std::uint32_t const k = bodies.element[bodies.elements_begin(b)];
         Place const& p = state_.particles.place[k];
-        hulls.push_back({ParticleId{state_.particles.id[k]},
-                         {p.x, p.y, p.z},
-                         bodies.pose[b].orientation,
-                         bodies.mass[b].radius,
-                         bodies.hull_shapes[bodies.hull[b]]});
+        out.put(Hull{state_.particles.id[k],
+                     bodies.hull[b],
+                     {p.x, p.y, p.z},
+                     bodies.pose[b].orientation,
+                     bodies.mass[b].radius});
     }
+    std::vector<HullPlace> hulls;
+    for (auto const& bytes : partition_->gather(std::move(mine)))
+        for (ByteReader in(bytes); !in.at_end();) {
+            auto const hull = in.get<Hull>();
+            hulls.push_back({ParticleId{hull.id}, hull.place, hull.orientation, hull.radius,
+                             bodies.hull_shapes[hull.shape]});
+        }
+    std::sort(hulls.begin(), hulls.end(),
+              [](HullPlace const& a, HullPlace const& b) { return a.id.value < b.id.value; });
     return hulls;
 }
 
@@ -112,14 +132,14 @@ double count_touching(std::vector<ContactList> const& lists)
     double count = 0;
     for (ContactList const& list : lists)
         count +=
-            share_of(list) * static_cast<double>(std::count(list.touching.begin(), list.touching.end(), 1));
+            share_of(list.kind) * static_cast<double>(std::count(list.touching.begin(), list.touching.end(), 1));
     return count;
 }
 double count_touching(std::vector<HullContactList> const& lists)
 {
     double count = 0;
     for (HullContactList const& list : lists)
-        count += static_cast<double>(list.touching());
+        count += share_of(list.kind) * static_cast<double>(list.touching());
     return count;
 }
 
@@ -128,12 +148,16 @@ double count_touching(std::vector<HullContactList> const& lists)
 Counts CpuEngine::counts()
 {
     ContactLists const& contacts = state_.contacts;
-    double const pairs =
-        count_touching(contacts.pairs) + count_touching(contacts.ghosts) + count_touching(state_.hulls.pairs);
-    double const walls = count_touching(contacts.walls) + count_touching(state_.hulls.walls);
+    HullContactLists const& hulls = state_.hulls;
+    double const pairs = count_touching(contacts.pairs) + count_touching(contacts.ghosts) +
+                         count_touching(hulls.pairs) + count_touching(hulls.ghosts);
+    double const walls = count_touching(contacts.walls) + count_touching(hulls.walls);
     RigidBodies const& bodies = state_.bodies;
+    double const beside = state_.particles.has_bodies
+                              ? partition_->sum(static_cast<double>(bodies.all_ids() - bodies.size()))
+                              : 0; // ids of bodies that are not the first one
     std::size_t const elements = state_.particles_added - state_.particles_removed;
-    return {.particles = elements - (bodies.all_ids() - bodies.size()),
+    return {.particles = elements - static_cast<std::size_t>(beside),
             .elements = elements,
             .contacts = static_cast<std::size_t>(partition_->sum(pairs)),
             .wall_contacts = static_cast<std::size_t>(partition_->sum(walls)),

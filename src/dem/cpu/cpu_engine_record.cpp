@@ -22,7 +22,7 @@ CpuEngine::CpuEngine(contact::Model const& model, SimulationOptions const& optio
     partition_->agree([&] {
         auto const mine = partition_->part_of(record);
         State state = read_state(mine, *params_);
-        check_contacts(state, partition_->restore(mine, state.particles));
+        check_contacts(state, partition_->restore(mine, state));
         state_ = std::move(state);
         if (!state_.bodies.hull_shapes.empty())
             require_hulls(*params_);

@@ -30,13 +30,13 @@ contact::StoredEnergy stored_energy(Params const& params, State const& state)
         for (std::size_t s = 0; s < list.size(); ++s)
             if (list.touching[s])
                 sum +=
-                    share_of(list) *
+                    share_of(list.kind) *
                     contact::stored_energy(params.laws[list.interaction], params.layouts[list.interaction],
                                            list.state.data() + s * static_cast<std::size_t>(list.state_size));
     });
     state.hulls.for_each([&](HullContactList const& list) {
         for (std::size_t c = 0; c < list.contacts.size(); ++c)
-            sum += list.contacts[c].share * contact::stored_energy(params.laws[list.interaction],
+            sum += share_of(list.kind) * list.contacts[c].share * contact::stored_energy(params.laws[list.interaction],
                                                                    params.layouts[list.interaction],
                                                                    list.history(c));
     });

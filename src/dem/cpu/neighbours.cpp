@@ -48,8 +48,8 @@ void NeighbourSearch::sort_into_cells(Particles& particles, CellGrid const& grid
     if (particles.ghosts > 0)
         number_along_cells(particles, grid, particles.owned(), n, ghost_cell_start);
 
+    sorted_.has_bodies = particles.has_bodies, sorted_.has_hulls = particles.has_hulls;
     sorted_.resize(n);
-    sorted_.body.resize(particles.body.size()), sorted_.hull.resize(particles.hull.size());
     sorted_.ghosts = particles.ghosts;
     for (std::size_t i = 0; i < n; ++i) {
         std::uint32_t const to = new_index_[i];

@@ -39,7 +39,7 @@ DEMENS_MULTIVERSION double move(Place* place, Motion* motion, Load* load, std::s
 
 double move_particles(Particles& particles, double kick, double time_step, Vector3 const& gravity)
 {
-    auto const chosen = particles.body.empty() ? move<false> : move<true>;
+    auto const chosen = particles.has_bodies ? move<true> : move<false>;
     return std::sqrt(chosen(particles.place.data(), particles.motion.data(), particles.load.data(),
                             particles.owned(), particles.body.data(), kick, time_step, gravity));
 }

@@ -2,7 +2,6 @@
 
 #include "demens/dem/simulation_options.hpp"
 #include "src/dem/cpu/decomposition/decomposition.hpp"
-#include "src/dem/cpu/removal.hpp"
 
 namespace demens::dem {
 namespace {
@@ -12,20 +11,24 @@ class Undivided final : public Partition
 {
   public:
     bool has_ghosts() const override { return false; }
-    bool takes(std::uint32_t, Particles&) override { return true; }
-    std::vector<std::uint32_t> remove(Particles& particles, ContactLists& contacts,
-                                      std::unordered_set<std::uint32_t> const& ids) override
+    bool takes(std::uint32_t, State&) override { return true; }
+    std::size_t remove(State& state, std::unordered_set<std::uint32_t> ids) override
     {
-        return remove_particles(particles, contacts, {particles.size(), {}}, ids).new_number;
+        std::size_t const named = ids.size(), more = name_elements(state, ids);
+        remove_particles(state, {state.particles.size(), {}}, ids);
+        if (state.particles.has_bodies && state.bodies.empty())
+            forget_bodies(state);
+        return named + more;
     }
-    void require_rigid_bodies() const override {}
-    void distribute(Particles&, ContactLists&, MeetingReach const&) override {}
+    void distribute(State&, MeetingReach const&) override {}
     void renumber(std::span<std::uint32_t const>, Particles const&) override {}
-    void give_up(Particles&, ContactLists&) override {}
-    void begin_exchange(Particles const&) override {}
-    void finish_exchange(Particles&) override {}
+    void give_up(State&) override {}
+    void begin_exchange(State const&) override {}
+    void finish_exchange(State&) override {}
     void note_change() override {}
     Particles const& gather(Particles const& mine, Fields) override { return mine; }
+    Particles gather(Particles&& mine) override { return std::move(mine); }
+    std::vector<Team::Bytes> gather(Team::Bytes&& mine) override { return {std::move(mine)}; }
     std::vector<WallLoad> sum(std::vector<WallLoad> const& mine) override { return mine; }
     EnergyLedger sum(EnergyLedger const& mine) override { return mine; }
     double sum(double mine) override { return mine; }
@@ -39,7 +42,10 @@ class Undivided final : public Partition
         return record;
     }
     void save(StateRecord&) const override {}
-    std::size_t restore(StateRecord const&, Particles const& particles) override { return particles.size(); }
+    ContactNumbers restore(StateRecord const&, State const& state) override
+    {
+        return {state.particles.size(), {}};
+    }
     void agree(std::function<void()> const& part) override { part(); }
 };
 

@@ -35,52 +35,19 @@ void keep_contacts(ContactList& list, NumberOf const& number_of)
     }
 }
 
-} // namespace
-
-Renumbered remove_particles(Particles& particles, ContactLists& contacts, ContactNumbers const& numbers,
-                            std::unordered_set<std::uint32_t> const& ids)
-{
-    DEMENS_EXPECT(particles.ghosts == 0, "particles of one process");
-    DEMENS_EXPECT(numbers.owned <= particles.size(), "lists know of particles that there are");
-    auto new_number =
-        keep_particles(particles, [&](std::size_t k) { return !ids.contains(particles.id[k]); });
-    auto const owned =
-        numbers.owned -
-        static_cast<std::size_t>(std::count(
-            new_number.begin(), new_number.begin() + static_cast<std::ptrdiff_t>(numbers.owned), gone));
-    auto const number_of = [&](std::uint32_t before) {
-        if (before < numbers.owned)
-            return new_number[before];
-        std::size_t const ghost = before - numbers.owned;
-        return ids.contains(numbers.ghost_ids[ghost]) ? gone : static_cast<std::uint32_t>(owned + ghost);
-    };
-    contacts.for_each([&](ContactList& list) { keep_contacts(list, number_of); });
-    return {std::move(new_number), owned};
-}
-
-namespace {
-
 //! Keeps the pairs of what stays, with memories and histories.
-void keep_hull_contacts(HullContactList& list, std::span<std::uint32_t const> new_numbers)
+template <class NumberOf>
+void keep_hull_contacts(HullContactList& list, NumberOf const& number_of)
 {
     HullContactList const old = std::move(list);
-    list = {.interaction = old.interaction, .with_walls = old.with_walls, .state_size = old.state_size};
-    std::size_t c = 0;
-    for (std::uint32_t p = 0; p < old.pairs.size(); ++p) {
-        HullPair pair = old.pairs[p];
-        pair.first = new_numbers[pair.first];
-        if (!list.with_walls)
-            pair.second = new_numbers[pair.second];
-        bool const stays = pair.first != gone && pair.second != gone;
-        for (; c < old.contacts.size() && old.contacts[c].pair == p; ++c)
-            if (stays) {
-                list.contacts.push_back(old.contacts[c]);
-                list.contacts.back().pair = static_cast<std::uint32_t>(list.pairs.size());
-                list.state.insert(list.state.end(), old.history(c), old.history(c) + old.state_size);
-            }
-        if (stays)
-            list.pairs.push_back(pair);
-    }
+    list = old.emptied();
+    old.for_each_pair([&](HullPair pair, Slots const& contacts) {
+        pair.first = number_of(pair.first);
+        if (list.kind != ContactKind::wall)
+            pair.second = number_of(pair.second);
+        if (pair.first != gone && pair.second != gone)
+            list.add(pair, old, contacts);
+    });
 }
 
 //! A body with its elements, from one set of columns to the end of another.
@@ -101,10 +68,8 @@ void append_body(RigidBodies& to, RigidBodies const& from, std::size_t body,
 
 } // namespace
 
-void remove_bodies(Particles& particles, RigidBodies& bodies, HullContactLists& hulls,
-                   std::span<std::uint32_t const> new_numbers)
+void keep_bodies(RigidBodies& bodies, Particles& particles, std::span<std::uint32_t const> new_numbers)
 {
-    hulls.for_each([&](HullContactList& list) { keep_hull_contacts(list, new_numbers); });
     RigidBodies kept;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (new_numbers[bodies.element[bodies.elements_begin(b)]] == gone)
@@ -113,13 +78,58 @@ void remove_bodies(Particles& particles, RigidBodies& bodies, HullContactLists& 
         for (std::size_t e = kept.elements_begin(kept.size() - 1); e < kept.element.size(); ++e)
             particles.body[kept.element[e]] = static_cast<std::uint32_t>(kept.size() - 1);
     }
-    if (kept.empty()) {
-        particles.body.clear(), particles.hull.clear();
-        hulls.for_each([](HullContactList& list) { list.clear(); });
-    } else {
-        kept.hull_shapes = std::move(bodies.hull_shapes);
-    }
+    kept.hull_shapes = std::move(bodies.hull_shapes);
     bodies = std::move(kept);
+}
+
+std::size_t name_elements(State const& state, std::unordered_set<std::uint32_t>& ids)
+{
+    RigidBodies const& bodies = state.bodies;
+    std::size_t more = 0;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        std::size_t const first = bodies.elements_begin(b);
+        if (!ids.contains(state.particles.id[bodies.element[first]]))
+            continue;
+        for (std::size_t e = first; e < bodies.elements_end[b]; ++e)
+            ids.insert(state.particles.id[bodies.element[e]]);
+        more += bodies.ids(b) - 1;
+    }
+    return more;
+}
+
+std::size_t remove_particles(State& state, ContactNumbers const& numbers,
+                             std::unordered_set<std::uint32_t> const& ids)
+{
+    Particles& particles = state.particles;
+    DEMENS_EXPECT(particles.ghosts == 0, "particles of one process");
+    DEMENS_EXPECT(numbers.owned <= particles.size(), "lists know of particles that there are");
+    auto const new_number =
+        keep_particles(particles, [&](std::size_t k) { return !ids.contains(particles.id[k]); });
+    auto const owned =
+        numbers.owned -
+        static_cast<std::size_t>(std::count(
+            new_number.begin(), new_number.begin() + static_cast<std::ptrdiff_t>(numbers.owned), gone));
+    auto const number_of = [&](std::uint32_t before) {
+        if (before < numbers.owned)
+            return new_number[before];
+        std::size_t const ghost = before - numbers.owned;
+        return ids.contains(numbers.ghost_ids[ghost]) ? gone : static_cast<std::uint32_t>(owned + ghost);
+    };
+    state.contacts.for_each([&](ContactList& list) { keep_contacts(list, number_of); });
+    state.hulls.for_each([&](HullContactList& list) { keep_hull_contacts(list, number_of); });
+    if (particles.has_bodies)
+        keep_bodies(state.bodies, particles, new_number);
+    return owned;
+}
+
+void forget_bodies(State& state)
+{
+    DEMENS_EXPECT(state.bodies.empty(), "no body is left");
+    Particles& particles = state.particles;
+    particles.has_bodies = particles.has_hulls = false;
+    particles.resize(particles.size());
+    state.bodies = {};
+    state.hulls.for_each([](HullContactList& list) { list.clear(); });
 }
 
 } // namespace demens::dem

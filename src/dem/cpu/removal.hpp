@@ -1,9 +1,6 @@
 #pragma once
 
-#include "demens/dem/particles.hpp"
-#include "src/dem/cpu/contact_list.hpp"
-#include "src/dem/cpu/hulls/hull_contact_list.hpp"
-#include "src/dem/cpu/rigid_bodies.hpp"
+#include "src/dem/cpu/state.hpp"
 
 #include <span>
 #include <unordered_set>
@@ -36,36 +33,30 @@ std::vector<std::uint32_t> keep_particles(Particles& particles, Stays const& sta
         particles.load[next] = particles.load[k];
         particles.material[next] = particles.material[k];
         particles.id[next] = particles.id[k];
-        if (!particles.body.empty())
+        if (particles.has_bodies)
             particles.body[next] = particles.body[k];
-        if (!particles.hull.empty())
+        if (particles.has_hulls)
             particles.hull[next] = particles.hull[k];
         new_number[k] = next++;
     }
     particles.resize(next);
-    if (!particles.body.empty())
-        particles.body.resize(next);
-    if (!particles.hull.empty())
-        particles.hull.resize(next);
     return new_number;
 }
 
-//! What has become of the particles of a process.
-struct Renumbered
-{
-    std::vector<std::uint32_t> new_number; //!< by the old ones; `gone` of those that are taken out
-    std::size_t owned;                     //!< how many of them contact lists know as owned now
-};
+//! Keeps the bodies whose elements stay; `new_numbers` as of `keep_particles`, which is done. Shapes stay.
+void keep_bodies(RigidBodies& bodies, Particles& particles, std::span<std::uint32_t const> new_numbers);
 
-//! Takes particles of a process, without its ghosts, out of the columns and of the lists, which keep the
-//! contacts that touch, with their histories, and want to be made anew. \param ids of those that go, of
-//! bodies of all their elements
-Renumbered remove_particles(Particles& particles, ContactLists& contacts, ContactNumbers const& numbers,
-                            std::unordered_set<std::uint32_t> const& ids);
+//! Adds the other elements of bodies of this process whose first one is named. \return how many more ids these
+//! have, of a hull those of the balls that it is read as
+std::size_t name_elements(State const& state, std::unordered_set<std::uint32_t>& ids);
 
-//! The bodies and the contacts of hulls after that: those of elements that are gone are taken out, and the
-//! columns are those of spheres alone where no body is left.
-void remove_bodies(Particles& particles, RigidBodies& bodies, HullContactLists& hulls,
-                   std::span<std::uint32_t const> new_numbers);
+//! Takes particles of a process, without its ghosts, out of the columns and of the lists, and with them their
+//! bodies; the lists keep the contacts that touch, with their histories, and want to be made anew. \param ids
+//! of those that go, of bodies of all their elements \return how many particles lists know as owned now
+std::size_t remove_particles(State& state, ContactNumbers const& numbers,
+                             std::unordered_set<std::uint32_t> const& ids);
+
+//! Where no body is left in any process: the columns are those of spheres alone.
+void forget_bodies(State& state);
 
 } // namespace demens::dem

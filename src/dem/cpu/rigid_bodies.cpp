@@ -29,17 +29,11 @@ grain::Clump elements_of(grain::BodyShape const& shape)
     return shape.is_hull() ? grain::Clump{{{}, shape.reach()}} : shape.balls;
 }
 
-//! The next body is a hull of this shape.
-void note_hull(RigidBodies& bodies, Particles& particles,
-               std::shared_ptr<grain::BodyShape const> const& shape)
+//! Number of a hull's shape, or where a new one would come.
+std::uint32_t number_of(RigidBodies const& bodies, std::shared_ptr<grain::BodyShape const> const& shape)
 {
-    particles.hull.resize(particles.size(), 0);
-    bodies.hull.resize(bodies.size(), RigidBodies::no_hull);
-    auto& shapes = bodies.hull_shapes;
-    auto const found = std::find(shapes.begin(), shapes.end(), shape);
-    bodies.hull.push_back(static_cast<std::uint32_t>(found - shapes.begin()));
-    if (found == shapes.end())
-        shapes.push_back(shape);
+    auto const& shapes = bodies.hull_shapes;
+    return static_cast<std::uint32_t>(std::find(shapes.begin(), shapes.end(), shape) - shapes.begin());
 }
 
 } // namespace
@@ -58,23 +52,37 @@ bool RigidBodies::is_whole(std::size_t particles) const
         if (!hull.empty() && hull[b] != no_hull && (hull[b] >= hull_shapes.size() || !one_element))
             return false;
     }
+    if (ghosts.orientation.size() != ghosts.size() || ghosts.radius.size() != ghosts.size())
+        return false;
+    for (std::uint32_t const shape : ghosts.shape)
+        if (shape >= hull_shapes.size())
+            return false;
     for (std::uint32_t const number : element)
         if (number >= particles)
             return false;
     return true;
 }
 
+void expect_body(RigidBodies& bodies, Particles& particles, Body const& body)
+{
+    DEMENS_EXPECT(!body.is_sphere(), "a body of several elements");
+    particles.has_bodies = true;
+    particles.has_hulls |= body.is_hull();
+    particles.resize(particles.size());
+    if (!body.is_hull())
+        return;
+    bodies.hull.resize(bodies.size(), RigidBodies::no_hull);
+    if (number_of(bodies, body.shape) == bodies.hull_shapes.size())
+        bodies.hull_shapes.push_back(body.shape);
+}
+
 void add_body(RigidBodies& bodies, Particles& particles, Body const& body, Vector3 const& velocity,
               double mass, std::uint32_t first_id)
 {
-    DEMENS_EXPECT(!body.is_sphere(), "a body of several elements");
     double const r = body.radius;
     Vector3 const inertia = mass * r * r * body.shape->inertia;
     Rotation const axes = body.orientation.normalized().rotation();
     auto const number = static_cast<std::uint32_t>(bodies.size());
-    particles.body.resize(particles.size(), Particles::alone);
-    if (body.is_hull())
-        note_hull(bodies, particles, body.shape);
     for (grain::Ball const& ball : elements_of(*body.shape)) {
         Vector3 const arm = r * ball.place, arm_now = axes(arm), place = body.position + arm_now;
         Vector3 const v = velocity + cross(body.spin, arm_now);
@@ -87,7 +95,7 @@ void add_body(RigidBodies& bodies, Particles& particles, Body const& body, Vecto
         particles.material.push_back(body.material.value);
         particles.id.push_back(first_id++);
         particles.body.push_back(number);
-        if (body.is_hull() || !particles.hull.empty())
+        if (particles.has_hulls)
             particles.hull.push_back(body.is_hull());
     }
     Vector3 const seen = axes.inverse(body.spin);
@@ -96,8 +104,16 @@ void add_body(RigidBodies& bodies, Particles& particles, Body const& body, Vecto
     bodies.mass.push_back({mass, inertia, r});
     bodies.load.push_back({});
     bodies.elements_end.push_back(static_cast<std::uint32_t>(bodies.element.size()));
-    if (!body.is_hull() && !bodies.hull.empty())
-        bodies.hull.push_back(RigidBodies::no_hull);
+    if (!bodies.hull_shapes.empty())
+        bodies.hull.push_back(body.is_hull() ? number_of(bodies, body.shape) : RigidBodies::no_hull);
+}
+
+double largest_arm(RigidBodies const& bodies)
+{
+    double squared = 0;
+    for (Vector3 const& arm : bodies.arm)
+        squared = std::max(squared, norm_squared(arm));
+    return std::sqrt(squared);
 }
 
 void renumber(RigidBodies& bodies, std::span<std::uint32_t const> new_numbers)

@@ -56,7 +56,7 @@ inline std::size_t ids_here(State const& state)
 inline void add_law_set(State& state, contact::StateLayout const& layout, bool with_ghosts)
 {
     state.contacts.add_law_set(layout.size, layout.scalars, with_ghosts);
-    state.hulls.add_law_set(layout.size);
+    state.hulls.add_law_set(layout.size, with_ghosts);
 }
 
 } // namespace demens::dem

@@ -154,13 +154,15 @@ void visit_surroundings(Record& record, Tally& tally)
     record("ledger/vibration_to_come", tally.vibration_to_come);
 }
 
+constexpr char const* bodies_name = "bodies/pose";
+
 //! There only where bodies are.
 template <class Record, class StateType>
 void visit_rigid_bodies(Record& record, StateType& state)
 {
     record("particles/body", state.particles.body);
     auto& bodies = state.bodies;
-    record("bodies/pose", bodies.pose), record("bodies/motion", bodies.motion);
+    record(bodies_name, bodies.pose), record("bodies/motion", bodies.motion);
     record("bodies/mass", bodies.mass), record("bodies/load", bodies.load);
     record("bodies/elements_end", bodies.elements_end), record("bodies/element", bodies.element);
     record("bodies/arm", bodies.arm), record("bodies/image", bodies.image);
@@ -182,10 +184,11 @@ void check_bodies(Params const& params, State const& state)
                    particles.material.size() == count && particles.id.size() == count &&
                    particles.ghosts <= count,
                "particles have columns of several lengths");
-    expect_fit(particles.body.empty() || particles.body.size() == count, "particles and their bodies");
+    expect_fit(particles.body.size() == (particles.has_bodies ? count : 0), "particles and their bodies");
     expect_fit(state.bodies.is_whole(count), "bodies and their elements");
     for (std::size_t k = 0; k < count; ++k) {
-        expect_fit(particles.is_alone(k) || particles.body[k] < state.bodies.size(),
+        expect_fit(particles.is_alone(k) ||
+                       particles.body[k] < state.bodies.size() + state.bodies.ghosts.size(),
                    "a particle is of a body that is not there");
         expect_fit(particles.material[k] < params.materials.size(), "a particle has no material");
         expect_fit(particles.id[k] < state.particles_added, "a particle has an id that was not given");
@@ -234,9 +237,9 @@ void write_state(StateRecord& record, Params const& params, State const& state)
         write(removed, state.particles_removed);
     if (params.options.surroundings.is_any())
         visit_surroundings(write, state.tally);
-    if (!state.bodies.empty())
+    if (state.particles.has_bodies)
         visit_rigid_bodies(write, state);
-    if (!state.bodies.hull_shapes.empty())
+    if (state.particles.has_hulls)
         write_hulls(record, state);
     for (auto const& [name, sums] : losses) {
         auto const& lane = state.tally.losses.*sums;
@@ -260,7 +263,8 @@ State read_state(StateRecord const& record, Params const& params)
         read(removed, state.particles_removed);
     if (params.options.surroundings.is_any())
         visit_surroundings(read, state.tally);
-    if (record.has("bodies/pose"))
+    state.particles.has_bodies = record.has(bodies_name);
+    if (state.particles.has_bodies)
         visit_rigid_bodies(read, state);
     for (auto const& [name, sums] : losses) {
         auto const lane = record.get<double>(name);
@@ -282,13 +286,13 @@ State read_state(StateRecord const& record, Params const& params)
     if (has_hulls(record))
         read_hulls(record, state);
     check_bodies(params, state);
-    check_hulls(state);
     find_arms(state.bodies);
     return state;
 }
 
-void check_contacts(State const& state, std::size_t particles)
+void check_contacts(State const& state, ContactNumbers const& numbers)
 {
+    std::size_t const particles = numbers.owned + numbers.ghost_ids.size();
     expect_fit(state.lists.is_stale || particles == state.particles.size(),
                "contacts are of another number of particles");
     auto const& walls = state.walls.all();
@@ -302,6 +306,7 @@ void check_contacts(State const& state, std::size_t particles)
         check_patches(list, walls);
         check_joined(list);
     });
+    check_hulls(state, numbers);
 }
 
 } // namespace demens::dem

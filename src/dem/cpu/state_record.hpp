@@ -1,7 +1,7 @@
 #pragma once
 
 #include "demens/dem/state_record.hpp"
-#include "src/dem/cpu/state.hpp"
+#include "src/dem/cpu/removal.hpp"
 #include "src/dem/params.hpp"
 
 namespace demens::dem {
@@ -10,7 +10,7 @@ namespace demens::dem {
 void write_state(StateRecord& record, Params const& params, State const& state);
 //! A state that goes on with these parameters. \throws InputError where it cannot.
 State read_state(StateRecord const& record, Params const& params);
-//! \throws InputError where contacts name what is not there; they may name so many particles.
-void check_contacts(State const& state, std::size_t particles);
+//! \throws InputError where contacts name what is not there; they may name these particles.
+void check_contacts(State const& state, ContactNumbers const& numbers);
 
 } // namespace demens::dem

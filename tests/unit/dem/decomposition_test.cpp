@@ -118,22 +118,23 @@ TEST(Ghosts, AreTheParticlesThatMayMeetThoseOfARankAndFollowThem)
     double const largest = 0.03, skin = 0.02;
     for (int const ranks : {2, 3, 6})
         with_team(ranks, [&](dem::Team& team) {
-            auto mine = part_of(all, team);
+            dem::State state;
+            dem::Particles& mine = state.particles;
+            mine = part_of(all, team);
             dem::Bisection boxes(ranks, periods);
             boxes.cut(team, mine.place, std::vector<double>(mine.size(), 1.0));
             std::vector<int> owners;
             for (auto const& place : mine.place)
                 owners.push_back(boxes.owner(place));
-            dem::ContactLists none;
-            dem::Migration migration(team, none, mine.size(), {});
-            migration.move(mine, owners);
+            dem::Migration migration(team, state, {mine.size(), {}});
+            migration.move(owners);
             std::size_t const owned = mine.size();
             for (std::size_t k = 0; k < owned; ++k) {
                 EXPECT_EQ(boxes.owner(mine.place[k]), team.rank());
                 EXPECT_EQ(mine.motion[k].mass, 1.0 + mine.id[k]);
             }
             dem::GhostExchange ghosts;
-            ghosts.rebuild(team, boxes, mine, largest + skin);
+            ghosts.rebuild(team, boxes, state, largest + skin);
             ASSERT_EQ(mine.owned(), owned);
             std::set<std::uint32_t> here(mine.id.begin(), mine.id.end());
             EXPECT_EQ(here.size(), mine.size()); // none twice
@@ -157,8 +158,8 @@ TEST(Ghosts, AreTheParticlesThatMayMeetThoseOfARankAndFollowThem)
             ghosts.renumber(new_number);
             for (std::size_t k = 0; k < owned; ++k)
                 mine.place[k].x += 1.0 + mine.id[k], mine.motion[k].wz = 3.0 * mine.id[k];
-            ghosts.begin(team, mine);
-            ghosts.finish(team, mine);
+            ghosts.begin(team, state);
+            ghosts.finish(team, state);
             for (std::size_t k = owned; k < mine.size(); ++k) {
                 EXPECT_EQ(mine.place[k].x, all.place[mine.id[k]].x + (1.0 + mine.id[k]));
                 EXPECT_EQ(mine.motion[k].wz, 3.0 * mine.id[k]);
@@ -177,7 +178,8 @@ TEST(Migration, HistoriesArriveOnceWhereTheirParticlesAre)
                 for (int to_1 = 0; to_1 < ranks; ++to_1)
                     with_team(ranks, [&](dem::Team& team) {
                         int const from[] = {from_0, from_1}, to[] = {to_0, to_1};
-                        dem::Particles particles;
+                        dem::State state;
+                        dem::Particles& particles = state.particles;
                         std::vector<int> owners;
                         std::vector<std::uint32_t> ghosts;
                         for (std::uint32_t const id : {0u, 1u})
@@ -190,7 +192,7 @@ TEST(Migration, HistoriesArriveOnceWhereTheirParticlesAre)
                         for (std::uint32_t const id : {0u, 1u})
                             if (from[id] != team.rank() && owned == 1)
                                 ghosts.push_back(id);
-                        dem::ContactLists lists;
+                        dem::ContactLists& lists = state.contacts;
                         lists.add_law_set(4, 0, true);
                         auto const number = [&](std::uint32_t id) {
                             for (std::uint32_t k = 0; k < owned; ++k)
@@ -211,8 +213,8 @@ TEST(Migration, HistoriesArriveOnceWhereTheirParticlesAre)
                             list.state = {5, 6, 7, 8};
                             list.offset[0] = {1, 2, 3};
                         }
-                        dem::Migration migration(team, lists, owned, ghosts);
-                        migration.move(particles, owners);
+                        dem::Migration migration(team, state, {owned, ghosts});
+                        migration.move(owners);
                         std::size_t const now = particles.size();
                         for (std::uint32_t const id : {0u, 1u}) // the new ghosts
                             if (to[id] != team.rank() && now == 1) {
@@ -220,7 +222,7 @@ TEST(Migration, HistoriesArriveOnceWhereTheirParticlesAre)
                                 particles.id.back() = id;
                                 particles.ghosts = 1;
                             }
-                        migration.renumber(particles);
+                        migration.renumber();
                         int pairs = 0, walls = 0;
                         lists.for_each([&](dem::ContactList const& list) {
                             bool const with_wall = list.kind == dem::ContactKind::wall;

@@ -42,7 +42,7 @@ DEMENS_FUNCTION inline void hull_contacts(CorePair const& pair, double rounding_
     }
     if (set.count == 0)
         set.add({0.5 * (nearest.on_a + nearest.on_b + (rounding_a - rounding_b) * n), n, reach - nearest.gap,
-                 1, feature_id(ContactFeature::edges, nearest.vertex_a[0], nearest.vertex_b[0])});
+                 1, only_place});
 }
 
 //! The same without candidates that are kept.

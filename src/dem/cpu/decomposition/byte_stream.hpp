@@ -26,6 +26,12 @@ class ByteWriter
     {
         put(&value, 1);
     }
+    //! A part that is read by itself.
+    void put_part(Team::Bytes const& part)
+    {
+        put(static_cast<std::uint64_t>(part.size()));
+        put(part.data(), part.size());
+    }
 
   private:
     Team::Bytes& bytes_;
@@ -55,8 +61,12 @@ class ByteReader
         get(&value, 1);
         return value;
     }
-    //! What is left.
-    Team::Bytes rest() const { return {bytes_.begin() + static_cast<std::ptrdiff_t>(at_), bytes_.end()}; }
+    Team::Bytes get_part()
+    {
+        Team::Bytes part(get<std::uint64_t>());
+        get(part.data(), part.size());
+        return part;
+    }
 
   private:
     Team::Bytes const& bytes_;

@@ -3,8 +3,6 @@
 #include "demens/base/contract.hpp"
 #include "src/dem/cpu/cell_grid.hpp"
 #include "src/dem/cpu/decomposition/migration.hpp"
-#include "src/dem/cpu/decomposition/particle_parcels.hpp"
-#include "src/dem/cpu/removal.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -15,71 +13,105 @@ namespace {
 constexpr double most_imbalance = 1.01; //!< largest weight of a rank over the mean that needs no new cuts
 
 //! Takes the ghosts away, so that there is room for particles.
-void remove_ghosts(Particles& particles)
+void remove_ghosts(State& state)
 {
-    particles.resize(particles.owned());
-    particles.ghosts = 0;
+    state.particles.resize(state.particles.owned());
+    state.particles.ghosts = 0;
+    state.bodies.ghosts = {};
+}
+
+//! By which each particle has its owner: its own place, or the centre of its body.
+std::vector<Place> places_of_owners(State const& state)
+{
+    auto places = state.particles.place;
+    RigidBodies const& bodies = state.bodies;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        Vector3 const& p = bodies.pose[b].position;
+        for (std::size_t e = bodies.elements_begin(b); e < bodies.elements_end[b]; ++e)
+            places[bodies.element[e]] = {p.x, p.y, p.z, 0};
+    }
+    return places;
 }
 
 } // namespace
 
-void Decomposition::require_rigid_bodies() const
+bool Decomposition::takes(std::uint32_t id, State& state)
 {
-    throw InputError(
-        "grains of several spheres cannot be shared among the ranks of a team; give such a run one "
-        "rank (ranks_per_group = 1)");
-}
-
-bool Decomposition::takes(std::uint32_t id, Particles& particles)
-{
-    remove_ghosts(particles);
+    remove_ghosts(state);
     return static_cast<int>(id % static_cast<std::uint32_t>(team_.size())) == team_.rank();
 }
 
-std::vector<std::uint32_t> Decomposition::remove(Particles& particles, ContactLists& contacts,
-                                                 std::unordered_set<std::uint32_t> const& ids)
+std::size_t Decomposition::remove(State& state, std::unordered_set<std::uint32_t> ids)
 {
-    remove_ghosts(particles);
-    auto renumbered = remove_particles(particles, contacts, {owned_, ghost_ids_}, ids);
-    owned_ = renumbered.owned;
+    remove_ghosts(state);
+    std::size_t const named = ids.size();
+    double more = 0;
+    if (state.particles.has_bodies) {
+        auto all = ids;
+        more = sum(static_cast<double>(name_elements(state, all)));
+        Team::Bytes mine; // neighbours on other ranks are to know of them
+        ByteWriter out(mine);
+        for (std::uint32_t const id : all)
+            if (!ids.contains(id))
+                out.put(id);
+        for (auto const& bytes : team_.gather(mine))
+            for (ByteReader in(bytes); !in.at_end();)
+                ids.insert(in.get<std::uint32_t>());
+    }
+    owned_ = remove_particles(state, numbers(), ids);
     ghosts_ = {}; // its routes name particles by their numbers
-    return std::move(renumbered.new_number);
+    return named + static_cast<std::size_t>(more);
 }
 
 //! A particle costs a move and a search, about as much as the force of a contact, which has two particles.
-std::vector<double> Decomposition::weights(Particles const& particles, ContactLists const& contacts) const
+//! One of a hull costs ten times as much (tests/bench/hulls).
+std::vector<double> Decomposition::weights(State const& state) const
 {
-    std::vector<double> weights(particles.size(), 2.0);
-    contacts.for_each([&](ContactList const& list) {
+    std::vector<double> weights(state.particles.size(), 2.0);
+    auto const add = [&](std::uint32_t particle, double weight) {
+        if (particle < owned_)
+            weights[particle] += weight;
+    };
+    state.contacts.for_each([&](ContactList const& list) {
         for (std::size_t s = 0; s < list.size(); ++s)
             if (list.touching[s]) {
-                if (list.first[s] < owned_)
-                    weights[list.first[s]] += 1;
-                if (list.kind != ContactKind::wall && list.second[s] < owned_)
-                    weights[list.second[s]] += 1;
+                add(list.first[s], 1);
+                if (list.kind != ContactKind::wall)
+                    add(list.second[s], 1);
             }
+    });
+    state.hulls.for_each([&](HullContactList const& list) {
+        list.for_each_pair([&](HullPair const& pair, Slots const& contacts) {
+            if (contacts.from == contacts.to)
+                return;
+            add(pair.first, 10);
+            if (!list.with_walls())
+                add(pair.second, 10);
+        });
     });
     return weights;
 }
 
-//! Ghosts come within the reach beyond the particles' radii and the largest one.
-void Decomposition::distribute(Particles& particles, ContactLists& contacts, MeetingReach const& reach)
+//! Ghosts come within the reach beyond the particles' radii and the largest one, and as far as the element
+//! that they meet may be from the centre of its body.
+void Decomposition::distribute(State& state, MeetingReach const& reach)
 {
     check_periods(periods_, reach.largest_radius, reach.gap);
-    remove_ghosts(particles);
-    auto const weight = weights(particles, contacts);
+    remove_ghosts(state);
+    auto const weight = weights(state);
     double const mine = std::accumulate(weight.begin(), weight.end(), 0.0);
+    auto const places = places_of_owners(state);
     if (!is_cut_ || team_.largest(mine) * team_.size() > most_imbalance * sum(mine))
-        boxes_.cut(team_, particles.place, weight);
+        boxes_.cut(team_, places, weight);
     is_cut_ = true;
 
-    std::vector<int> owners(particles.size());
-    std::transform(particles.place.begin(), particles.place.end(), owners.begin(),
+    std::vector<int> owners(places.size());
+    std::transform(places.begin(), places.end(), owners.begin(),
                    [&](Place const& place) { return boxes_.owner(place); });
-    Migration migration(team_, contacts, owned_, ghost_ids_);
-    migration.move(particles, owners);
-    ghosts_.rebuild(team_, boxes_, particles, reach.largest_radius + reach.gap);
-    migration.renumber(particles);
+    Migration migration(team_, state, numbers());
+    migration.move(owners);
+    ghosts_.rebuild(team_, boxes_, state, reach.largest_radius + reach.gap + reach.largest_arm);
+    migration.renumber();
 }
 
 void Decomposition::renumber(std::span<std::uint32_t const> new_numbers, Particles const& particles)
@@ -90,25 +122,25 @@ void Decomposition::renumber(std::span<std::uint32_t const> new_numbers, Particl
     is_fresh_ = true;
 }
 
-void Decomposition::give_up(Particles& particles, ContactLists& contacts)
+void Decomposition::give_up(State& state)
 {
-    remove_ghosts(particles);
-    contacts.for_each([](ContactList& list) { list.clear(); });
+    remove_ghosts(state);
+    state.contacts.for_each([](ContactList& list) { list.clear(); });
     ghosts_ = {};
     ghost_ids_.clear();
-    owned_ = particles.size();
+    owned_ = state.particles.size();
 }
 
-void Decomposition::begin_exchange(Particles const& particles)
+void Decomposition::begin_exchange(State const& state)
 {
     if (!is_fresh_)
-        ghosts_.begin(team_, particles);
+        ghosts_.begin(team_, state);
 }
 
-void Decomposition::finish_exchange(Particles& particles)
+void Decomposition::finish_exchange(State& state)
 {
     if (!is_fresh_)
-        ghosts_.finish(team_, particles);
+        ghosts_.finish(team_, state);
     is_fresh_ = false;
 }
 
@@ -118,7 +150,17 @@ Particles const& Decomposition::gather(Particles const& mine, Fields fields)
         return all_->particles;
     // Velocities at the time of the place need the loads.
     bool const with_loads = includes(fields, Fields::motions) || includes(fields, Fields::loads);
-    Loads const loads = with_loads ? Loads::travel : Loads::stay;
+    auto all = all_of(mine, with_loads ? Loads::travel : Loads::stay);
+    return all_.emplace(Gathered{std::move(all), with_loads ? Fields::all : fields}).particles;
+}
+
+Particles Decomposition::gather(Particles&& mine)
+{
+    return all_of(mine, Loads::travel);
+}
+
+Particles Decomposition::all_of(Particles const& mine, Loads loads)
+{
     std::vector<std::uint32_t> which(mine.owned());
     std::iota(which.begin(), which.end(), 0u);
     Team::Bytes bytes;
@@ -129,8 +171,7 @@ Particles const& Decomposition::gather(Particles const& mine, Fields fields)
         ByteReader in(part);
         append_particles(in, found, loads);
     }
-    all_.emplace(Gathered{{}, with_loads ? Fields::all : fields});
-    Particles& all = all_->particles;
+    Particles all;
     all.resize(found.size());
     std::vector<std::uint32_t> order(found.size());
     std::iota(order.begin(), order.end(), 0u);

@@ -2,6 +2,7 @@
 
 #include "src/dem/cpu/decomposition/bisection.hpp"
 #include "src/dem/cpu/decomposition/ghost_exchange.hpp"
+#include "src/dem/cpu/decomposition/particle_parcels.hpp"
 #include "src/dem/cpu/partition.hpp"
 
 #include <optional>
@@ -9,8 +10,9 @@
 
 namespace demens::dem {
 
-//! One simulation over the ranks of a team: every rank owns the particles in its box and computes their
-//! contacts; those across a border are computed on both sides, from the same numbers to the same bits.
+//! One simulation over the ranks of a team: every rank owns the particles in its box, and the bodies whose
+//! centres are there with all of their elements, and computes their contacts; those across a border are
+//! computed on both sides, from the same numbers to the same bits.
 class Decomposition final : public Partition
 {
   public:
@@ -23,18 +25,18 @@ class Decomposition final : public Partition
     }
 
     bool has_ghosts() const override { return true; }
-    bool takes(std::uint32_t id, Particles& particles) override;
-    std::vector<std::uint32_t> remove(Particles& particles, ContactLists& contacts,
-                                      std::unordered_set<std::uint32_t> const& ids) override;
-    void require_rigid_bodies() const override;
-    void distribute(Particles& particles, ContactLists& contacts, MeetingReach const& reach) override;
+    bool takes(std::uint32_t id, State& state) override;
+    std::size_t remove(State& state, std::unordered_set<std::uint32_t> ids) override;
+    void distribute(State& state, MeetingReach const& reach) override;
     void renumber(std::span<std::uint32_t const> new_numbers, Particles const& particles) override;
-    void give_up(Particles& particles, ContactLists& contacts) override;
-    void begin_exchange(Particles const& particles) override;
-    void finish_exchange(Particles& particles) override;
+    void give_up(State& state) override;
+    void begin_exchange(State const& state) override;
+    void finish_exchange(State& state) override;
     void note_change() override { all_.reset(); }
     //! In the order of their ids.
     Particles const& gather(Particles const& mine, Fields fields) override;
+    Particles gather(Particles&& mine) override;
+    std::vector<Team::Bytes> gather(Team::Bytes&& mine) override { return team_.gather(mine); }
     std::vector<WallLoad> sum(std::vector<WallLoad> const& mine) override;
     EnergyLedger sum(EnergyLedger const& mine) override;
     double sum(double mine) override;
@@ -42,11 +44,14 @@ class Decomposition final : public Partition
     StateRecord join(StateRecord&& mine) override;
     StateRecord part_of(StateRecord const& record) override;
     void save(StateRecord& record) const override;
-    std::size_t restore(StateRecord const& record, Particles const& particles) override;
+    ContactNumbers restore(StateRecord const& record, State const& state) override;
     void agree(std::function<void()> const& part) override;
 
   private:
-    std::vector<double> weights(Particles const& particles, ContactLists const& contacts) const;
+    std::vector<double> weights(State const& state) const;
+    ContactNumbers numbers() const { return {owned_, ghost_ids_}; }
+    //! Particles of all ranks in the order of their ids.
+    Particles all_of(Particles const& mine, Loads loads);
     //! Particles of all ranks, as far as they were asked for.
     struct Gathered
     {

@@ -48,7 +48,7 @@ void Decomposition::save(StateRecord& record) const
     write("ghosts/owned", owned_), write("ghosts/are_fresh", is_fresh_), write("boxes/are_cut", is_cut_);
 }
 
-std::size_t Decomposition::restore(StateRecord const& record, Particles const& particles)
+ContactNumbers Decomposition::restore(StateRecord const& record, State const& state)
 {
     RecordReader read(record);
     Bisection::Cuts cuts;
@@ -57,12 +57,12 @@ std::size_t Decomposition::restore(StateRecord const& record, Particles const& p
     read("ghosts/sent", routes.sent), read("ghosts/received", routes.received);
     read("ghosts/links", routes.links), read("ghosts/ids", ghost_ids_);
     read("ghosts/owned", owned_), read("ghosts/are_fresh", is_fresh_), read("boxes/are_cut", is_cut_);
-    expect_fit(owned_ <= particles.owned(), "a rank has fewer particles than its contacts name");
+    expect_fit(owned_ <= state.particles.owned(), "a rank has fewer particles than its contacts name");
     std::size_t const known = owned_ + ghost_ids_.size();
     boxes_.restore(cuts);
-    ghosts_.restore(routes, team_, known);
+    ghosts_.restore(routes, team_, known, state.particles.has_hulls);
     all_.reset();
-    return known;
+    return numbers();
 }
 
 void Decomposition::agree(std::function<void()> const& part)

@@ -1,16 +1,18 @@
 #include "src/dem/cpu/decomposition/ghost_exchange.hpp"
 
 #include "demens/base/error.hpp"
+#include "src/dem/cpu/decomposition/body_parcels.hpp"
 #include "src/dem/cpu/decomposition/particle_parcels.hpp"
 
 #include <map>
 
 namespace demens::dem {
 
-void GhostExchange::rebuild(Team& team, Bisection const& boxes, Particles& particles, double reach)
+void GhostExchange::rebuild(Team& team, Bisection const& boxes, State& state, double reach)
 {
+    Particles& particles = state.particles;
     std::map<int, std::vector<std::uint32_t>> near; // by rank
-    std::size_t const owned = particles.size();
+    std::size_t const owned = particles.size(), numbers = record(particles.has_hulls);
     int const here = team.rank();
     for (std::uint32_t i = 0; i < owned; ++i) {
         Place const& place = particles.place[i];
@@ -29,15 +31,19 @@ void GhostExchange::rebuild(Team& team, Bisection const& boxes, Particles& parti
     for (auto const& [rank, which] : near) {
         ByteWriter out(parcels.emplace_back(Team::Parcel{rank, {}}).bytes);
         write_particles(out, particles, which, Loads::stay);
-        links[rank] = {rank, record * sent_.size(), record * which.size(), 0, 0};
+        if (particles.has_hulls)
+            write_ghost_hulls(out, state, which);
+        links[rank] = {rank, numbers * sent_.size(), numbers * which.size(), 0, 0};
         sent_.insert(sent_.end(), which.begin(), which.end());
     }
     for (auto const& parcel : team.exchange(parcels)) {
         ByteReader in(parcel.bytes);
         std::size_t const before = particles.size() - owned;
         auto const count = append_particles(in, particles, Loads::stay);
+        if (particles.has_hulls)
+            read_ghost_hulls(in, state, owned + before);
         auto& link = links[parcel.rank];
-        link.rank = parcel.rank, link.in_begin = record * before, link.in_count = record * count;
+        link.rank = parcel.rank, link.in_begin = numbers * before, link.in_count = numbers * count;
     }
     particles.ghosts = particles.size() - owned;
     received_.clear();
@@ -46,8 +52,13 @@ void GhostExchange::rebuild(Team& team, Bisection const& boxes, Particles& parti
     links_.clear();
     for (auto const& [rank, link] : links)
         links_.push_back(link);
-    out_.resize(record * sent_.size());
-    in_.resize(record * received_.size());
+    resize_buffers(particles.has_hulls);
+}
+
+void GhostExchange::resize_buffers(bool has_hulls)
+{
+    out_.resize(record(has_hulls) * sent_.size());
+    in_.resize(record(has_hulls) * received_.size());
 }
 
 void GhostExchange::renumber(std::span<std::uint32_t const> new_number)
@@ -57,8 +68,10 @@ void GhostExchange::renumber(std::span<std::uint32_t const> new_number)
             k = new_number[k];
 }
 
-void GhostExchange::begin(Team& team, Particles const& particles)
+void GhostExchange::begin(Team& team, State const& state)
 {
+    Particles const& particles = state.particles;
+    std::size_t const numbers = record(particles.has_hulls);
     double* to = out_.data();
     for (std::uint32_t const k : sent_) {
         Place const& p = particles.place[k];
@@ -66,14 +79,21 @@ void GhostExchange::begin(Team& team, Particles const& particles)
         to[0] = p.x, to[1] = p.y, to[2] = p.z;
         to[3] = m.vx, to[4] = m.vy, to[5] = m.vz;
         to[6] = m.wx, to[7] = m.wy, to[8] = m.wz;
-        to += record;
+        if (particles.is_hull(k)) {
+            Quaternion const& turned = state.bodies.pose[particles.body[k]].orientation;
+            to[9] = turned.w, to[10] = turned.x, to[11] = turned.y, to[12] = turned.z;
+        }
+        to += numbers;
     }
     team.begin(links_, out_.data(), in_.data());
 }
 
-void GhostExchange::finish(Team& team, Particles& particles)
+void GhostExchange::finish(Team& team, State& state)
 {
     team.finish();
+    Particles& particles = state.particles;
+    RigidBodies& bodies = state.bodies;
+    std::size_t const numbers = record(particles.has_hulls);
     double const* from = in_.data();
     for (std::uint32_t const k : received_) {
         Place& p = particles.place[k];
@@ -82,7 +102,10 @@ void GhostExchange::finish(Team& team, Particles& particles)
         m.vx = from[3], m.vy = from[4], m.vz = from[5];
         m.wx = from[6], m.wy = from[7], m.wz = from[8];
         particles.load[k] = {};
-        from += record;
+        if (particles.is_hull(k))
+            bodies.ghosts.orientation[particles.body[k] - bodies.size()] = {from[9], from[10], from[11],
+                                                                            from[12]};
+        from += numbers;
     }
 }
 
@@ -97,7 +120,7 @@ GhostExchange::Routes GhostExchange::routes() const
     return routes;
 }
 
-void GhostExchange::restore(Routes const& routes, Team const& team, std::size_t particles)
+void GhostExchange::restore(Routes const& routes, Team const& team, std::size_t particles, bool has_hulls)
 {
     auto const expect = [](bool fits) {
         if (!fits)
@@ -108,8 +131,8 @@ void GhostExchange::restore(Routes const& routes, Team const& team, std::size_t 
             expect(k < particles);
     expect(routes.links.size() % 5 == 0);
     std::vector<Team::Link> links;
-    auto const out = static_cast<std::int64_t>(record * routes.sent.size());
-    auto const in = static_cast<std::int64_t>(record * routes.received.size());
+    auto const out = static_cast<std::int64_t>(record(has_hulls) * routes.sent.size());
+    auto const in = static_cast<std::int64_t>(record(has_hulls) * routes.received.size());
     for (std::size_t k = 0; k < routes.links.size(); k += 5) {
         std::int64_t const* link = routes.links.data() + k;
         expect(link[0] >= 0 && link[0] < team.size());
@@ -120,8 +143,7 @@ void GhostExchange::restore(Routes const& routes, Team const& team, std::size_t 
                          static_cast<std::size_t>(link[4])});
     }
     sent_ = routes.sent, received_ = routes.received, links_ = std::move(links);
-    out_.resize(record * sent_.size());
-    in_.resize(record * received_.size());
+    resize_buffers(has_hulls);
 }
 
 } // namespace demens::dem

@@ -2,6 +2,7 @@
 
 #include "demens/grain/contact/core_gap.hpp"
 #include "demens/grain/contact/face_candidates.hpp"
+#include "src/dem/cpu/contact_list.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -44,7 +45,7 @@ struct HullContact
 struct HullContactList
 {
     std::uint32_t interaction = 0; //!< index of the law set
-    bool with_walls = false;
+    ContactKind kind = ContactKind::pair;
     int state_size = 0;            //!< doubles of history per contact
     std::vector<HullPair> pairs{}; //!< in ascending order of both numbers
 
@@ -55,6 +56,7 @@ struct HullContactList
     std::vector<double> apart_until{};
     std::vector<HullPairHints> hints{}; //!< of pairs, with the former
 
+    bool with_walls() const { return kind == ContactKind::wall; }
     double* history(std::size_t contact)
     {
         return state.data() + contact * static_cast<std::size_t>(state_size);
@@ -66,33 +68,74 @@ struct HullContactList
     void clear() { pairs.clear(), contacts.clear(), state.clear(), apart_until.clear(), hints.clear(); }
     //! How many pairs touch.
     std::size_t touching() const;
+
+    //! One without pairs, of the same kind.
+    HullContactList emptied() const
+    {
+        return {.interaction = interaction, .kind = kind, .state_size = state_size};
+    }
+    //! Calls `visit(pair, contacts)` for each pair and the places of its contacts.
+    template <class Visit>
+    void for_each_pair(Visit&& visit) const
+    {
+        std::size_t from = 0;
+        for (std::uint32_t p = 0; p < pairs.size(); ++p) {
+            std::size_t to = from;
+            while (to < contacts.size() && contacts[to].pair == p)
+                ++to;
+            visit(pairs[p], Slots{from, to});
+            from = to;
+        }
+    }
+    //! Adds a pair with contacts of another list.
+    void add(HullPair const& pair, HullContactList const& other, Slots const& of_other)
+    {
+        pairs.push_back(pair);
+        add_contacts(static_cast<std::uint32_t>(pairs.size()) - 1, other, of_other);
+    }
+    //! Adds contacts to a pair after which none has contacts.
+    void add_contacts(std::uint32_t pair, HullContactList const& other, Slots const& of_other)
+    {
+        for (std::size_t c = of_other.from; c < of_other.to; ++c) {
+            contacts.push_back(other.contacts[c]);
+            contacts.back().pair = pair;
+            state.insert(state.end(), other.history(c), other.history(c) + other.state_size);
+        }
+    }
 };
 
 //! All of them: of each kind a list for each law set, by its number.
 struct HullContactLists
 {
     std::vector<HullContactList> pairs = {}, walls = {};
+    std::vector<HullContactList> ghosts = {}; //!< none where one process has all particles
+
+    std::vector<HullContactList>& of(ContactKind kind)
+    {
+        return kind == ContactKind::pair ? pairs : kind == ContactKind::wall ? walls : ghosts;
+    }
 
     template <class Visit>
     void for_each(Visit&& visit)
     {
-        for (auto* lists : {&pairs, &walls})
+        for (auto* lists : {&pairs, &walls, &ghosts})
             for (HullContactList& list : *lists)
                 visit(list);
     }
     template <class Visit>
     void for_each(Visit&& visit) const
     {
-        for (auto const* lists : {&pairs, &walls})
+        for (auto const* lists : {&pairs, &walls, &ghosts})
             for (HullContactList const& list : *lists)
                 visit(list);
     }
     //! Adds empty lists of the next law set.
-    void add_law_set(int state_size)
+    void add_law_set(int state_size, bool with_ghosts)
     {
         auto const number = static_cast<std::uint32_t>(pairs.size());
-        pairs.push_back({.interaction = number, .with_walls = false, .state_size = state_size});
-        walls.push_back({.interaction = number, .with_walls = true, .state_size = state_size});
+        for (ContactKind const kind : {ContactKind::pair, ContactKind::wall, ContactKind::ghost})
+            if (kind != ContactKind::ghost || with_ghosts)
+                of(kind).push_back({.interaction = number, .kind = kind, .state_size = state_size});
     }
 };
 

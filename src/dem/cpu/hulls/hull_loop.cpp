@@ -17,7 +17,7 @@ contact::Sphere ball_of(State const& state, std::uint32_t particle, Vector3 cons
     Place const& p = particles.place[particle];
     Motion const& m = particles.motion[particle];
     double const radius =
-        particles.is_hull(particle) ? state.bodies.mass[particles.body[particle]].radius : p.radius;
+        particles.is_hull(particle) ? state.bodies.radius(particles.body[particle]) : p.radius;
     Vector3 const spin{m.wx, m.wy, m.wz};
     return {Vector3{p.x, p.y, p.z} + arm, radius, Vector3{m.vx, m.vy, m.vz} + cross(spin, arm), m.mass, spin};
 }
@@ -42,7 +42,7 @@ void gather(ContactBlock& block, HullContactList const& list, std::vector<HullPa
         std::uint32_t const first = pairs[contact.pair].first, second = pairs[contact.pair].second;
         contact::Sphere const i = ball_of(state, first, contact.arm_first);
         put(block, l,
-            list.with_walls ? contact::meeting(i, state.walls.all()[second].surface(), contact.apart)
+            list.with_walls() ? contact::meeting(i, state.walls.all()[second].surface(), contact.apart)
                             : contact::meeting(i, ball_of(state, second, contact.arm_second), contact.apart));
         for (int k = 0; k < list.state_size; ++k)
             block.state[k][l] = list.history(c)[k];
@@ -88,7 +88,7 @@ void scatter(ContactBlock const& b, HullContactList& list, std::vector<HullPair>
         Vector3 const force = vector_of(loads.force), torque = vector_of(loads.torque_i);
         auto& load = state.particles.load;
         add(load[pair.first], force, torque + cross(contact.arm_first, force));
-        if (list.with_walls) {
+        if (list.with_walls()) {
             Place const& p = state.particles.place[pair.first];
             WallLoad& wall = state.wall_loads[pair.second];
             Vector3 const arm =
@@ -110,10 +110,23 @@ void HullLoop::compute(Params const& params, State& state)
     if (state.bodies.hull_shapes.empty())
         return;
     parties_.update(state);
-    state.hulls.for_each([&](HullContactList& list) {
+    compute(params, state, state.hulls.pairs);
+    compute(params, state, state.hulls.walls);
+}
+
+void HullLoop::compute_with_ghosts(Params const& params, State& state)
+{
+    if (state.bodies.hull_shapes.empty() || state.hulls.ghosts.empty())
+        return;
+    parties_.update_ghosts(state);
+    compute(params, state, state.hulls.ghosts);
+}
+
+void HullLoop::compute(Params const& params, State& state, std::vector<HullContactList>& lists)
+{
+    for (HullContactList& list : lists)
         if (!list.pairs.empty())
             compute(params, state, list);
-    });
 }
 
 void HullLoop::compute(Params const& params, State& state, HullContactList& list)
@@ -152,10 +165,11 @@ HullContact contact_at(grain::FeatureContact const& at, std::uint32_t pair, Hull
     return contact;
 }
 
-//! A contact that has parted: its balls touch without an overlap.
+//! A contact that has parted: its balls nearly touch. Rounding must not leave an overlap, in which they would be
+//! damped.
 HullContact at_touch(HullContact contact, HullPairPlace const& place)
 {
-    contact.apart *= place.touching() / norm(contact.apart);
+    contact.apart *= (1 + 1e-12) * place.touching() / norm(contact.apart);
     return contact;
 }
 
@@ -167,7 +181,7 @@ void HullLoop::find_contacts(Params const& params, State& state, HullContactList
     for (HullContactList* all : {&now_, &parted_}) {
         all->clear();
         all->interaction = list.interaction;
-        all->with_walls = list.with_walls, all->state_size = list.state_size;
+        all->kind = list.kind, all->state_size = list.state_size;
     }
     list.apart_until.resize(list.pairs.size(), 0.0);
     list.hints.resize(list.pairs.size());
@@ -175,7 +189,7 @@ void HullLoop::find_contacts(Params const& params, State& state, HullContactList
     for (std::uint32_t p = 0, end = 0; p < list.pairs.size(); p = end) {
         HullPair const& pair = list.pairs[p];
         end = p + 1;
-        if (list.with_walls) // all that one hull touches together: they may go on into each other
+        if (list.with_walls()) // all that one hull touches together: they may go on into each other
             while (end < list.pairs.size() && list.pairs[end].first == pair.first)
                 ++end;
         else if (parties_.travelled(pair.first) + parties_.travelled(pair.second) < list.apart_until[p])
@@ -191,7 +205,7 @@ void HullLoop::find_contacts(Params const& params, State& state, HullContactList
 void HullLoop::find_contacts(Params const& params, State& state, HullContactList& list, Range const& pairs)
 {
     auto const size = static_cast<std::size_t>(list.state_size);
-    bool const may_join = list.with_walls && pairs.end - pairs.first > 1;
+    bool const may_join = list.with_walls() && pairs.end - pairs.first > 1;
     if (may_join) {
         seams_.begin(parties_.hull(state.particles, list.pairs[pairs.first].first).rounding);
         for (std::size_t p = pairs.first; p < pairs.end; ++p)
@@ -259,8 +273,8 @@ HullPairPlace HullLoop::find_places(Params const& params, State& state, HullCont
     HullPair& pair = list.pairs[number];
     Place const& a = state.particles.place[pair.first];
     HullParty const& first = parties_.hull(state.particles, pair.first);
-    HullPairPlace place{first.pose.place, {}, first.ball, 0, list.with_walls, false};
-    if (list.with_walls) {
+    HullPairPlace place{first.pose.place, {}, first.ball, 0, list.with_walls(), false};
+    if (list.with_walls()) {
         WallShape const& wall = state.walls.all()[pair.second].shape;
         place.with_mesh = std::holds_alternative<Mesh>(wall);
         state.overlapping |= walls_.find(first, a.radius, wall, pair.second, pair.memory, set_);
@@ -331,12 +345,12 @@ void HullLoop::evaluate(Params const& params, State& state, std::vector<HullPair
     for (std::size_t from = 0; from < list.contacts.size(); from += lanes) {
         block.count = static_cast<int>(std::min(lanes, list.contacts.size() - from));
         gather(block, list, pairs, from, state);
-        state.overlapping |= derive_geometry(block, list.with_walls, options.overlap_limit);
+        state.overlapping |= derive_geometry(block, list.with_walls(), options.overlap_limit);
         evaluate_laws(block, params.laws[list.interaction], layout, options.time_step);
         apply_shares(block, list.contacts.data() + from, layout.ledger);
         if (layout.ledger) {
-            state.tally.losses.add(block, 1);
-            if (list.with_walls)
+            state.tally.losses.add(block, share_of(list.kind));
+            if (list.with_walls())
                 state.tally.work_of_walls += work_beside_torque(block, options.time_step, [&](int l) {
                     return state.walls
                         .all()[pairs[list.contacts[from + static_cast<std::size_t>(l)].pair].second]

@@ -23,9 +23,13 @@ struct HullPairPlace
 class HullLoop
 {
   public:
+    //! Those of this process.
     void compute(Params const& params, State& state);
+    //! Those with ghosts, which must be where they are now; after the former.
+    void compute_with_ghosts(Params const& params, State& state);
 
   private:
+    void compute(Params const& params, State& state, std::vector<HullContactList>& lists);
     void compute(Params const& params, State& state, HullContactList& list);
     //! The contacts of a list as they are now, in `now_`; those that are no more, in `parted_`.
     void find_contacts(Params const& params, State& state, HullContactList& list);

@@ -20,33 +20,38 @@ double turned(Rotation const& from, Rotation const& to)
 void HullParties::update(State const& state)
 {
     RigidBodies const& bodies = state.bodies;
-    Particles const& particles = state.particles;
-    struct Shape
-    {
-        grain::CoreView core;
-        double rounding, reach;
-    };
-    std::vector<Shape> shapes;
+    shapes_.clear();
     for (auto const& shape : bodies.hull_shapes)
-        shapes.push_back({grain::CoreView(shape->hull->core), shape->hull->rounding, shape->reach()});
-    hulls_.resize(bodies.size(), ball_);
-    body_travelled_.resize(bodies.size(), 0.0);
-    travelled_.assign(particles.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (!bodies.is_hull(b))
-            continue;
-        Shape const& shape = shapes[bodies.hull[b]];
-        double const radius = bodies.mass[b].radius;
-        std::uint32_t const particle = bodies.element[bodies.elements_begin(b)];
-        Place const& p = particles.place[particle];
-        HullParty& hull = hulls_[b];
-        // A body that has taken the place of another counts as one that has moved.
-        grain::CorePose const pose{{p.x, p.y, p.z}, bodies.pose[b].orientation.rotation(), radius};
-        body_travelled_[b] += norm(pose.place - hull.pose.place) +
-                              turned(hull.pose.rotation, pose.rotation) * shape.reach * radius;
-        travelled_[particle] = body_travelled_[b];
-        hull = {shape.core, pose, radius * shape.rounding, radius};
-    }
+        shapes_.push_back({grain::CoreView(shape->hull->core), shape->hull->rounding, shape->reach()});
+    hulls_.resize(bodies.size() + bodies.ghosts.size(), ball_);
+    body_travelled_.resize(hulls_.size(), 0.0);
+    travelled_.assign(state.particles.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (bodies.is_hull(b))
+            update(state, b, bodies.element[bodies.elements_begin(b)]);
+}
+
+void HullParties::update_ghosts(State const& state)
+{
+    Particles const& particles = state.particles;
+    for (auto k = static_cast<std::uint32_t>(particles.owned()); k < particles.size(); ++k)
+        if (particles.is_hull(k))
+            update(state, particles.body[k], k);
+}
+
+void HullParties::update(State const& state, std::size_t body, std::uint32_t particle)
+{
+    RigidBodies const& bodies = state.bodies;
+    Shape const& shape = shapes_[bodies.shape_number(body)];
+    double const radius = bodies.radius(body);
+    Place const& p = state.particles.place[particle];
+    HullParty& hull = hulls_[body];
+    // A body that has taken the place of another counts as one that has moved.
+    grain::CorePose const pose{{p.x, p.y, p.z}, bodies.orientation(body).rotation(), radius};
+    body_travelled_[body] += norm(pose.place - hull.pose.place) +
+                             turned(hull.pose.rotation, pose.rotation) * shape.reach * radius;
+    travelled_[particle] = body_travelled_[body];
+    hull = {shape.core, pose, radius * shape.rounding, radius};
 }
 
 } // namespace demens::dem

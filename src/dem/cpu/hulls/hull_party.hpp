@@ -20,8 +20,10 @@ struct HullParty
 class HullParties
 {
   public:
-    //! Finds them anew, and how far each has moved since the last time.
+    //! Finds those of this process anew, and how far each has moved since the last time.
     void update(State const& state);
+    //! The same of the ghosts, after it.
+    void update_ghosts(State const& state);
 
     HullParty const& hull(Particles const& particles, std::uint32_t particle) const
     {
@@ -42,6 +44,15 @@ class HullParties
     double travelled(std::uint32_t particle) const { return travelled_[particle]; }
 
   private:
+    void update(State const& state, std::size_t body, std::uint32_t particle);
+
+    //! What hulls of a shape have in common.
+    struct Shape
+    {
+        grain::CoreView core;
+        double rounding, reach;
+    };
+    std::vector<Shape> shapes_;
     grain::Hull point_ = grain::point_hull();
     HullParty ball_{grain::CoreView(point_), {}, 0, 0};
     std::vector<HullParty> hulls_;       //!< by body

@@ -11,6 +11,7 @@ namespace demens::dem {
 namespace {
 
 constexpr char const* shapes_name = "bodies/hull_shapes";
+constexpr char const* kinds[] = {"pairs", "walls", "ghosts"};
 
 //! A list of contacts as columns.
 struct Columns
@@ -24,7 +25,7 @@ struct Columns
     void visit(Record const& record, HullContactList const& list, State& state)
     {
         std::string const name =
-            fmt::format("hulls/{}/{}/", list.with_walls ? "walls" : "pairs", list.interaction);
+            fmt::format("hulls/{}/{}/", kinds[static_cast<std::size_t>(list.kind)], list.interaction);
         record(name + "numbers", numbers), record(name + "memories", memories);
         record(name + "normals", normals), record(name + "contacts", contacts);
         record(name + "places", places), record(name + "state", state);
@@ -143,6 +144,13 @@ grain::BodyShape read_shape(RecordReader const& read)
     return shape;
 }
 
+template <class Record, class Ghosts>
+void visit_ghosts(Record const& record, Ghosts& ghosts)
+{
+    record("bodies/ghosts/orientation", ghosts.orientation), record("bodies/ghosts/radius", ghosts.radius);
+    record("bodies/ghosts/shape", ghosts.shape);
+}
+
 std::string name_of_shape(std::size_t number)
 {
     return fmt::format("bodies/hull_shape/{}/", number);
@@ -158,6 +166,8 @@ void write_hulls(StateRecord& record, State const& state)
     write.count(shapes_name, shapes);
     for (std::size_t k = 0; k < shapes.size(); ++k)
         write_shape(RecordWriter(record, name_of_shape(k)), *shapes[k]);
+    if (!state.hulls.ghosts.empty())
+        visit_ghosts(write, state.bodies.ghosts);
     state.hulls.for_each(
         [&](HullContactList const& list) { columns_of(list).visit(write, list, list.state); });
 }
@@ -170,12 +180,15 @@ bool has_hulls(StateRecord const& record)
 void read_hulls(StateRecord const& record, State& state)
 {
     RecordReader const read(record);
+    state.particles.has_hulls = true;
     read("particles/hull", state.particles.hull), read("bodies/hull", state.bodies.hull);
     auto& shapes = state.bodies.hull_shapes;
     read.count(shapes_name, shapes);
     for (std::size_t k = 0; k < shapes.size(); ++k)
         shapes[k] =
             std::make_shared<grain::BodyShape const>(read_shape(RecordReader(record, name_of_shape(k))));
+    if (!state.hulls.ghosts.empty())
+        visit_ghosts(read, state.bodies.ghosts);
     state.hulls.for_each([&](HullContactList& list) {
         Columns columns;
         columns.visit(read, list, list.state);
@@ -183,30 +196,34 @@ void read_hulls(StateRecord const& record, State& state)
     });
 }
 
-void check_hulls(State const& state)
+void check_hulls(State const& state, ContactNumbers const& numbers)
 {
     Particles const& particles = state.particles;
-    expect_fit(particles.hull.empty() || particles.hull.size() == particles.size(), "particles and hulls");
+    expect_fit(particles.hull.size() == (particles.has_hulls ? particles.size() : 0), "particles and hulls");
     for (std::size_t k = 0; k < particles.size(); ++k)
         expect_fit(particles.is_hull(k) ==
                        (!particles.is_alone(k) && state.bodies.is_hull(particles.body[k])),
                    "a particle and its hull");
+    std::size_t const known = numbers.owned + numbers.ghost_ids.size();
+    // A ghost of lists that are to be made anew is not among the particles any more.
+    std::size_t const seen = state.lists.is_stale ? numbers.owned : known;
     auto const vertices = [&](std::uint32_t particle) -> std::size_t {
-        return particles.is_hull(particle)
+        return particle >= seen ? grain::most_vertices
+               : particles.is_hull(particle)
                    ? state.bodies.hull_shape(particles.body[particle]).hull->core.vertices().size()
                    : 1;
     };
-    auto const are_below = [](auto const& numbers, std::size_t end) {
-        return std::all_of(std::begin(numbers), std::end(numbers), [&](auto n) { return n < end; });
+    auto const are_below = [](auto const& corners, std::size_t end) {
+        return std::all_of(std::begin(corners), std::end(corners), [&](auto n) { return n < end; });
     };
     state.hulls.for_each([&](HullContactList const& list) {
-        std::size_t const seconds = list.with_walls ? state.walls.size() : particles.size();
+        std::size_t const seconds = list.with_walls() ? state.walls.size() : known;
         for (HullPair const& pair : list.pairs)
-            expect_fit(pair.first < particles.size() && pair.second < seconds &&
-                           particles.is_hull(pair.first) && pair.memory.size <= 3 &&
+            expect_fit(pair.first < known && pair.second < seconds &&
+                           (pair.first >= seen || particles.is_hull(pair.first)) && pair.memory.size <= 3 &&
                            are_below(pair.memory.a, vertices(pair.first)) &&
                            are_below(pair.memory.b,
-                                     list.with_walls
+                                     list.with_walls()
                                          ? HullWallFinder::corners_of(state.walls.all()[pair.second].shape)
                                          : vertices(pair.second)),
                        "a contact names a hull that is not there");

@@ -21,28 +21,26 @@ bool comes_before(HullPair const& a, HullPair const& b)
     return a.first != b.first ? a.first < b.first : a.second < b.second;
 }
 
-//! Gives the pairs of a list, which are new, what they had in an old one. \param new_number of a particle
+//! Gives the pairs of a list, which are new, what they had in old ones. \param new_number of a particle
 template <class NewNumber>
-void carry_over(HullContactList& list, HullContactList&& old, NewNumber const& new_number)
+void carry_over(HullContactList& list, std::initializer_list<HullContactList const*> all_old,
+                NewNumber const& new_number)
 {
     std::sort(list.pairs.begin(), list.pairs.end(), comes_before);
     struct Old
     {
-        HullPair pair;            // by its new numbers
-        std::size_t from, to = 0; // its contacts
+        HullPair pair; // by its new numbers
+        HullContactList const* list;
+        Slots contacts;
     };
     std::vector<Old> before;
-    std::size_t contact = 0;
-    for (std::size_t p = 0; p < old.pairs.size(); ++p) {
-        HullPair pair = old.pairs[p];
-        pair.first = new_number(pair.first);
-        if (!list.with_walls)
-            pair.second = new_number(pair.second);
-        before.push_back({pair, contact});
-        while (contact < old.contacts.size() && old.contacts[contact].pair == p)
-            ++contact;
-        before.back().to = contact;
-    }
+    for (HullContactList const* old : all_old)
+        old->for_each_pair([&](HullPair pair, Slots const& contacts) {
+            pair.first = new_number(pair.first);
+            if (!old->with_walls())
+                pair.second = new_number(pair.second);
+            before.push_back({pair, old, contacts});
+        });
     std::sort(before.begin(), before.end(),
               [](Old const& a, Old const& b) { return comes_before(a.pair, b.pair); });
     auto next = before.begin();
@@ -53,11 +51,7 @@ void carry_over(HullContactList& list, HullContactList&& old, NewNumber const& n
         if (next == before.end() || comes_before(pair, next->pair))
             continue;
         pair.memory = next->pair.memory;
-        for (std::size_t c = next->from; c < next->to; ++c) {
-            list.contacts.push_back(old.contacts[c]);
-            list.contacts.back().pair = p;
-            list.state.insert(list.state.end(), old.history(c), old.history(c) + old.state_size);
-        }
+        list.add_contacts(p, *next->list, next->contacts);
     }
 }
 
@@ -74,21 +68,28 @@ std::size_t HullContactList::touching() const
 void HullSearch::rebuild(NeighbourSearch const& search, Particles const& particles,
                          std::vector<Wall> const& walls, HullContactLists& lists)
 {
-    HullContactLists old = lists;
-    lists.for_each([](HullContactList& list) { list.clear(); });
+    HullContactLists const old = std::exchange(lists, {});
+    old.for_each([&](HullContactList const& list) { lists.of(list.kind).push_back(list.emptied()); });
     auto const laws_of = [&](std::uint32_t hull, std::uint32_t other) {
         return interaction_[particles.material[hull] * materials_ + other];
     };
     for (CandidatePair const& candidate : search.hull_pairs()) {
         HullPair const pair = in_order(candidate, particles);
-        lists.pairs[laws_of(pair.first, particles.material[pair.second])].pairs.push_back(pair);
+        bool const with_ghost = std::max(pair.first, pair.second) >= particles.owned();
+        auto const laws = laws_of(pair.first, particles.material[pair.second]);
+        (with_ghost ? lists.ghosts : lists.pairs)[laws].pairs.push_back(pair);
     }
     for (auto const& [hull, wall] : search.hulls_at_walls())
         lists.walls[laws_of(hull, walls[wall].material.value)].pairs.push_back({hull, wall});
     auto const new_number = [&](std::uint32_t particle) { return search.new_numbers()[particle]; };
     for (std::size_t k = 0; k < lists.pairs.size(); ++k) {
-        carry_over(lists.pairs[k], std::move(old.pairs[k]), new_number);
-        carry_over(lists.walls[k], std::move(old.walls[k]), new_number);
+        carry_over(lists.walls[k], {&old.walls[k]}, new_number);
+        if (lists.ghosts.empty()) {
+            carry_over(lists.pairs[k], {&old.pairs[k]}, new_number);
+            continue;
+        }
+        for (auto* now : {&lists.pairs[k], &lists.ghosts[k]}) // one of a pair may have become a ghost, or none
+            carry_over(*now, {&old.pairs[k], &old.ghosts[k]}, new_number);
     }
 }
 

@@ -77,9 +77,7 @@ void add_nearest(grain::ContactSet& set, HullParty const& hull, double reach, Sh
     for (int k = 0; k < set.count; ++k) // a vertex that is there already
         if (norm_squared(set.contacts[k].point - middle) < 1e-6 * hull.rounding * hull.rounding)
             return;
-    constexpr std::uint32_t any = 0xfff; // it goes on from edge to edge
-    set.add(
-        {middle, n, hull.rounding - distance, 1, grain::feature_id(grain::ContactFeature::edges, any, any)});
+    set.add({middle, n, hull.rounding - distance, 1, grain::only_place});
     set.state = grain::CoreState::near;
     grain::share_places(set, hull.rounding);
 }
