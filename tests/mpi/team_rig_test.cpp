@@ -1,7 +1,9 @@
-// The Draw Down rig on several ranks: what it measures differs from one rank by no more than by the packing.
+// Rigs on several ranks: what they measure differs from one rank by no more than by the packing.
 #include "tests/mpi/team_setup.hpp"
 
 #include "tests/support/small_drawdown.hpp"
+#include "tests/unit/grain/hulls.hpp"
+#include "tests/unit/rig/grain_runs.hpp"
 
 #include <cmath>
 
@@ -87,6 +89,48 @@ TEST(Rig, GivesAllRanksTheSameAnswerAgain)
     auto most = first.responses;
     team().largest(std::span(most));
     EXPECT_EQ(most, first.responses);
+}
+
+//! A mixture of rods, cubes and spheres; the periodic drum turns them from rank to rank.
+TEST(Rig, GrainsOfManyShapesAreSeenAsWithOneRank)
+{
+    if (team().size() != 2)
+        GTEST_SKIP() << "takes long; done on two ranks";
+    grain::GrainShape cube{"cube", nullptr, 1};
+    cube.shape = std::make_shared<grain::BodyShape const>(
+        grain::body_shape(grain::rounded(grain::cube_hull(1), 0.1, "cube"), "cube"));
+    grain::Clump const pair{{{0, 0, 0}, 1}, {{1.6, 0, 0}, 1}};
+    auto const rod = grain::grain_shape("rod", pair, grain::SizeMeasure::equivalent);
+    grain::ShapeMixture const mixture{{rod, cube, {"sphere", nullptr, 1}}, {0.4, 0.3, 0.3}};
+    rig::RunHooks hooks;
+    hooks.team = &team();
+    for (std::string const name : {"heap", "drum"}) {
+        auto const input = name == "heap" ? heap_of(mixture, 1e-3) : drum_of(mixture);
+        auto const& info = *rig::find_rig(name);
+        auto const shared = info.run(input, hooks);
+        ASSERT_EQ(shared.status, rig::RunStatus::finished) << shared.reason;
+        auto const alone = info.run(input, {});
+        EXPECT_EQ(shared.particles, alone.particles);
+        auto const &a = alone.snapshots.back(), &b = shared.snapshots.back();
+        EXPECT_EQ(a.x.size(), b.x.size());
+        EXPECT_EQ(std::count(a.hull.begin(), a.hull.end(), rig::Snapshot::within_a_hull),
+                  std::count(b.hull.begin(), b.hull.end(), rig::Snapshot::within_a_hull));
+        for (std::size_t r = 0; r < info.responses.size(); ++r) {
+            RecordProperty(info.responses[r].name, std::to_string(alone.responses[r]) + ", shared " +
+                                                       std::to_string(shared.responses[r]));
+            EXPECT_EQ(std::isnan(alone.responses[r]), std::isnan(shared.responses[r]));
+        }
+        auto const response = [&](rig::RunResult const& result, std::string const& of) {
+            for (std::size_t r = 0; r < info.responses.size(); ++r)
+                if (info.responses[r].name == of)
+                    return result.responses[r];
+            return std::numeric_limits<double>::quiet_NaN();
+        };
+        if (name == "heap")
+            EXPECT_NEAR(response(shared, "mass_on_plate_kg"), response(alone, "mass_on_plate_kg"), 2e-5);
+        else
+            EXPECT_NEAR(response(shared, "angle_of_repose_deg"), response(alone, "angle_of_repose_deg"), 6);
+    }
 }
 
 TEST(Rig, OneSphereHitsAWall)

@@ -61,14 +61,8 @@ namespace {
 //! \throws InputError where no engine can do it on so many ranks
 void check_engine(Programme const& programme, int ranks)
 {
-    if (!programme.has_rigid_bodies && !programme.removes_particles)
-        return;
-    chosen_engine(programme.engine, programme.needs(ranks > 1));
-    if (programme.has_rigid_bodies && ranks > 1)
-        throw InputError(
-            fmt::format("grains that are not spheres ([shape.NAME]) are computed by one rank a run, and "
-                        "this one has {}; give run.ranks_per_group = 1",
-                        ranks));
+    if (programme.has_rigid_bodies || programme.removes_particles)
+        chosen_engine(programme.engine, programme.needs(ranks > 1));
 }
 
 } // namespace

@@ -191,7 +191,7 @@ TEST(Catalogue, EffectsOfTheOperationChangeWhatIsReported)
     EXPECT_DOUBLE_EQ(run_with("grain_density", 0.1).model.materials[0].density, 2750);
 }
 
-TEST(Catalogue, ShapeIsOfferedWhereGrainsAreSpheresOfOneRank)
+TEST(Catalogue, ShapeIsOfferedWhereGrainsAreSpheres)
 {
     auto const offered = [](std::string const& text) {
         auto const all = candidates_of(CampaignInput::from_text(text, "test"));
@@ -203,7 +203,7 @@ TEST(Catalogue, ShapeIsOfferedWhereGrainsAreSpheresOfOneRank)
                   "spheres = [[0, 0, -1, 1], [0, 0, 1, 1]]");
     EXPECT_TRUE(offered(campaign()));
     EXPECT_FALSE(offered(pairs));
-    EXPECT_FALSE(offered(campaign() + "[run]\nranks_per_group = 2\n"));
+    EXPECT_TRUE(offered(campaign() + "[run]\nranks_per_group = 2\n"));
 }
 
 TEST(Catalogue, EffectsOfWallsChangeTheirOwnPairsAlone)
