@@ -1,8 +1,8 @@
 #include "app/command.hpp"
+#include "app/mpi_scope.hpp"
 #include "tao_calib/fit_table/fit_table.hpp"
 
 #include <fmt/format.h>
-#include <mpi.h>
 
 namespace demens::cli {
 
@@ -25,11 +25,7 @@ void add_fit(CLI::App& program, Action& action)
         ->excludes(csv);
     command->callback([options, &action] {
         action = [options] {
-            struct Mpi // TAO needs it, on one rank
-            {
-                Mpi() { MPI_Init(nullptr, nullptr); }
-                ~Mpi() { MPI_Finalize(); }
-            } const mpi;
+            MpiOnOneRank const mpi;
             using tao_calib::FitFormat;
             auto const format = options->csv    ? FitFormat::csv
                                 : options->json ? FitFormat::json

@@ -12,6 +12,8 @@
 #include "gap/campaign/report.hpp"
 #include "gap/catalogue/catalogue.hpp"
 #include "gap/statistics/form_floor.hpp"
+#include "gap/table/table_report.hpp"
+#include "tao_calib/solver/pounders.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -110,6 +112,18 @@ int make_bank(std::string const& toml, std::string const& output, int points_per
     return success;
 }
 
+//! By one rank.
+int show_table(std::string const& toml, bool as_json)
+{
+    MpiOnOneRank const mpi;
+    tao_calib::PetscSession const petsc;
+    auto const measured = gap::read_measured(toml);
+    auto const found = gap::table_gap(measured, tao_calib::Pounders(petsc));
+    fmt::print("{}", as_json ? gap::table_gap_document(measured, found).dump(2) + "\n"
+                             : gap::table_gap_text(measured, found));
+    return success;
+}
+
 int show_floor(std::vector<std::string> const& files)
 {
     std::vector<gap::Evidence> cases;
@@ -182,6 +196,12 @@ void add_gap(CLI::App& program, Action& action)
                 [&] { return make_bank(options->toml, options->output, options->points_per_effect); });
         };
     });
+    auto* table = command->add_subcommand(
+        "table", "where a table of any program's runs contradicts measurements at several points");
+    table->add_option("FILE.toml", options->toml, "as for `demens fit`, with [fit] measured")->required();
+    table->add_flag("--json", options->json, "the same as JSON");
+    table->callback(
+        [options, &action] { action = [options] { return show_table(options->toml, options->json); }; });
     auto* floor = command->add_subcommand(
         "floor", "form floor under which campaigns in which nothing is missing are most probable");
     floor->add_option("FILE.h5", options->files, "calibrated campaigns with [gap]")->required();

@@ -79,6 +79,16 @@ std::vector<OptionSpec> const fit_options = {
      .default_value = std::string("keep"),
      .doc = "what becomes of rows that repeat another in every number",
      .choices = {"keep", "leave_out"}},
+    {.key = "measured",
+     .default_value = std::string(),
+     .doc = "table of measurements at several points, for `demens gap table`: columns of factors say where, "
+            "columns of "
+            "responses, and NAME_sd, what came out"},
+    {.key = "form_floor",
+     .default_value = 0.04,
+     .doc = "by which the laws themselves may miss a response, over its size; for `demens gap table`",
+     .lower = 0,
+     .upper = 1},
     {.key = "confidence",
      .default_value = 0.95,
      .doc = "of the intervals of coefficients and predictions",
@@ -118,7 +128,7 @@ FitFactor read_factor(InputTable const& table)
     return factor;
 }
 
-FitResponse read_response(InputTable const& table)
+FitResponse read_response(InputTable const& table, bool has_measured)
 {
     auto const values = table.read(response_options);
     FitResponse const response{values.text("column"), values.number("target"), values.number("tolerance"),
@@ -126,7 +136,7 @@ FitResponse read_response(InputTable const& table)
     for (auto const& [key, value] : {std::pair{"tolerance", response.tolerance}, {"scale", response.scale}}) {
         if (value == 0)
             throw table.error(key, "must be above 0");
-        if (!std::isnan(value) && std::isnan(response.target))
+        if (!std::isnan(value) && std::isnan(response.target) && !has_measured)
             throw table.error(key, "means nothing without a target");
     }
     return response;
@@ -157,6 +167,11 @@ FitInput FitInput::from_text(std::string const& toml, std::string const& origin)
     input.origin = origin;
     input.table = std::filesystem::path(origin).parent_path() / options.text("table");
     input.table_place = place_of(file.table("fit"), "table");
+    if (!options.text("measured").empty()) {
+        input.measured = std::filesystem::path(origin).parent_path() / options.text("measured");
+        input.measured_place = place_of(file.table("fit"), "measured");
+    }
+    input.form_floor = options.number("form_floor");
     input.model = *find_word<PolynomialModel>(options.text("model"));
     input.eliminate = options.text("selection") == "backward";
     input.elimination = {options.number("alpha"),
@@ -184,7 +199,7 @@ FitInput FitInput::from_text(std::string const& toml, std::string const& origin)
         columns.push_back(block);
     }
     for (auto const& table : file.table_list("response")) {
-        input.responses.push_back(read_response(table));
+        input.responses.push_back(read_response(table, !input.measured.empty()));
         unused(table, input.responses.back().column);
     }
     if (input.factors.empty() || input.responses.empty())
@@ -213,6 +228,15 @@ FitInput FitInput::from_text(std::string const& toml, std::string const& origin)
                                  .fixed = not_given,
                                  .kind = FactorKind::block});
     return input;
+}
+
+text::CsvTable table_of(std::filesystem::path const& table, std::string const& place)
+{
+    if (!std::filesystem::is_regular_file(table))
+        throw InputError(
+            fmt::format("{}there is no such file{}; the path counts from the folder of the TOML file", place,
+                        std::filesystem::is_directory(table) ? ": it is a folder" : ""));
+    return text::CsvTable::from_file(table);
 }
 
 std::vector<ensemble::input::SectionInfo> const& fit_sections()

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "demens/base/text/csv.hpp"
 #include "ensemble/input/campaign_input.hpp"
 #include "ensemble/input/input_options.hpp"
 #include "tao_calib/regression/regression.hpp"
 
+#include <cmath>
 #include <filesystem>
 
 namespace demens::tao_calib {
@@ -37,6 +39,8 @@ struct FitResponse
     double scale; //!< deviation that counts as one; NaN: the tolerance, or the scatter about the model, or,
                   //!< where a model meets every run, the range of the response
     std::string place = {}; //!< file, line and key of the column, for messages
+
+    bool bounds_region() const { return !std::isnan(target) && !std::isnan(tolerance); }
 };
 
 //! What to fit to a table of results from any program.
@@ -44,7 +48,10 @@ struct FitInput
 {
     std::string origin; //!< file in messages
     std::filesystem::path table;
-    std::string table_place;        //!< file, line and key of the table, for messages
+    std::string table_place;             //!< file, line and key of the table, for messages
+    std::filesystem::path measured = {}; //!< table of measurements at several points; empty: none
+    std::string measured_place = {};
+    double form_floor = 0.04;       //!< by which the laws themselves may miss a response, over its size
     std::vector<FitFactor> factors; //!< blocks last
     std::vector<FitResponse> responses;
     std::vector<ensemble::LinearConstraint> constraints;
@@ -61,6 +68,9 @@ struct FitInput
     //! The same from text; the table's path is relative to the folder of `origin`.
     static FitInput from_text(std::string const& toml, std::string const& origin);
 };
+
+//! A table that the file names. \param place of its key \throws InputError
+text::CsvTable table_of(std::filesystem::path const& table, std::string const& place);
 
 //! The sections of the file and their keys, for documentation.
 std::vector<ensemble::input::SectionInfo> const& fit_sections();

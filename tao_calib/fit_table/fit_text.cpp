@@ -163,7 +163,7 @@ std::string fit_text(TableFit const& fit, std::vector<FitOptimum> const& optima,
     if (!fit.answers())
         fmt::format_to(out, "\nno best point: a response with a target is not fitted\n");
     else if (std::any_of(fit.input().responses.begin(), fit.input().responses.end(),
-                         [](FitResponse const& response) { return !std::isnan(response.tolerance); }))
+                         [](FitResponse const& response) { return response.bounds_region(); }))
         write_region(out, fit, region);
     return text;
 }

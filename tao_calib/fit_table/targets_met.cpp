@@ -1,8 +1,8 @@
 #include "tao_calib/fit_table/targets_met.hpp"
 
 #include "tao_calib/solver/multi_start.hpp"
+#include "tao_calib/solver/polish.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -81,7 +81,7 @@ bool within_tolerances(TableFit const& fit, VectorXd const& predicted)
 {
     for (std::size_t r = 0; r < fit.input().responses.size(); ++r) {
         auto const& response = fit.input().responses[r];
-        if (!std::isnan(response.tolerance) &&
+        if (response.bounds_region() &&
             !(std::abs(predicted[static_cast<Index>(r)] - response.target) <= response.tolerance))
             return false;
     }
@@ -92,7 +92,7 @@ bool has_tolerance(TableFit const& fit)
 {
     auto const& responses = fit.input().responses;
     return std::any_of(responses.begin(), responses.end(),
-                       [](FitResponse const& response) { return !std::isnan(response.tolerance); });
+                       [](FitResponse const& response) { return response.bounds_region(); });
 }
 
 //! Deviations from the targets.
@@ -131,34 +131,6 @@ class Deviations
     std::vector<Index> targeted_;
     double unit_ = 1;
 };
-
-//! Gauss-Newton steps from a minimum that a solver ended at within its tolerances. Central differences of
-//! polynomials of the second degree are exact.
-VectorXd polished(LeastSquaresProblem const& problem, UnitCube const& cube, VectorXd point)
-{
-    constexpr int steps = 10;
-    constexpr double h = 1e-3;
-    VectorXd residuals = problem.evaluate(point);
-    for (int step = 0; step < steps; ++step) {
-        Eigen::MatrixXd slope(residuals.size(), point.size());
-        for (Index k = 0; k < point.size(); ++k) {
-            VectorXd above = point, below = point;
-            above[k] = std::clamp(point[k], h, 1 - h) + h; // within the cube
-            below[k] = above[k] - 2 * h;
-            slope.col(k) = (problem.evaluate(above) - problem.evaluate(below)) / (2 * h);
-        }
-        VectorXd const next =
-            cube.project((point - VectorXd(slope.completeOrthogonalDecomposition().solve(residuals)))
-                             .cwiseMax(0)
-                             .cwiseMin(1));
-        VectorXd const left = problem.evaluate(next);
-        if (!(left.squaredNorm() < residuals.squaredNorm()))
-            break;
-        point = next;
-        residuals = left;
-    }
-    return point;
-}
 
 void add_optima(std::vector<FitOptimum>& optima, TableFit const& fit, Deviations const& deviations,
                 Levels const& levels, LeastSquaresSolver const& solver, std::uint64_t seed)

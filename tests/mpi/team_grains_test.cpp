@@ -1,5 +1,5 @@
-// Clumps and polyhedra that several ranks share: as long as rounding has not grown they are where they are with
-// one rank, whoever owns them; they are read, taken out and stored as a whole.
+// Clumps and polyhedra that several ranks share: as long as rounding has not grown they are where they are
+// with one rank, whoever owns them; they are read, taken out and stored as a whole.
 #include "tests/mpi/team_setup.hpp"
 
 #include "demens/base/random.hpp"
@@ -48,15 +48,14 @@ void pour_grains(dem::Simulation& simulation, Shapes const& shapes, int count, d
     auto const places =
         shape::loose_packing(diameters, {-0.5 * width, -0.5 * width, 0}, width, width, 0.3, random);
     for (std::size_t k = 0; k < places.size(); ++k)
-        simulation.add(dem::Body{
-            .position = places[k],
-            .radius = grain_radius,
-            .velocity = velocity,
-            .spin = {random.uniform(-20, 20), random.uniform(-20, 20), 0},
-            .shape = shapes[k % shapes.size()],
-            .orientation = Quaternion{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1),
-                                      random.uniform(-1, 1)}
-                               .normalized()});
+        simulation.add(dem::Body{.position = places[k],
+                                 .radius = grain_radius,
+                                 .velocity = velocity,
+                                 .spin = {random.uniform(-20, 20), random.uniform(-20, 20), 0},
+                                 .shape = shapes[k % shapes.size()],
+                                 .orientation = Quaternion{random.uniform(-1, 1), random.uniform(-1, 1),
+                                                           random.uniform(-1, 1), random.uniform(-1, 1)}
+                                                    .normalized()});
 }
 
 void add_box(dem::Simulation& simulation, double side)
@@ -206,7 +205,8 @@ TEST_P(SharedGrains, GoOnFromARecordWithTheSameBits)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Team, SharedGrains, ::testing::Values(Kinds{"clumps", clumps, 12, 60}, Kinds{"all", all_kinds, 8, 30}),
+INSTANTIATE_TEST_SUITE_P(Team, SharedGrains,
+                         ::testing::Values(Kinds{"clumps", clumps, 12, 60}, Kinds{"all", all_kinds, 8, 30}),
                          [](auto const& info) { return info.param.name; });
 
 //! Two that collide while both change their owner; the forces of both are opposite, to the last bit of a sum.

@@ -131,8 +131,8 @@ double count_touching(std::vector<ContactList> const& lists)
 {
     double count = 0;
     for (ContactList const& list : lists)
-        count +=
-            share_of(list.kind) * static_cast<double>(std::count(list.touching.begin(), list.touching.end(), 1));
+        count += share_of(list.kind) *
+                 static_cast<double>(std::count(list.touching.begin(), list.touching.end(), 1));
     return count;
 }
 double count_touching(std::vector<HullContactList> const& lists)

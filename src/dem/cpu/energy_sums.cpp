@@ -36,9 +36,9 @@ contact::StoredEnergy stored_energy(Params const& params, State const& state)
     });
     state.hulls.for_each([&](HullContactList const& list) {
         for (std::size_t c = 0; c < list.contacts.size(); ++c)
-            sum += share_of(list.kind) * list.contacts[c].share * contact::stored_energy(params.laws[list.interaction],
-                                                                   params.layouts[list.interaction],
-                                                                   list.history(c));
+            sum += share_of(list.kind) * list.contacts[c].share *
+                   contact::stored_energy(params.laws[list.interaction], params.layouts[list.interaction],
+                                          list.history(c));
     });
     return sum;
 }

@@ -46,8 +46,8 @@ std::vector<std::uint32_t> keep_particles(Particles& particles, Stays const& sta
 //! Keeps the bodies whose elements stay; `new_numbers` as of `keep_particles`, which is done. Shapes stay.
 void keep_bodies(RigidBodies& bodies, Particles& particles, std::span<std::uint32_t const> new_numbers);
 
-//! Adds the other elements of bodies of this process whose first one is named. \return how many more ids these
-//! have, of a hull those of the balls that it is read as
+//! Adds the other elements of bodies of this process whose first one is named. \return how many more ids
+//! these have, of a hull those of the balls that it is read as
 std::size_t name_elements(State const& state, std::unordered_set<std::uint32_t>& ids);
 
 //! Takes particles of a process, without its ghosts, out of the columns and of the lists, and with them their

@@ -56,8 +56,8 @@ struct BodyLoad
 //! Bodies of several elements, or hulls, whose one element is the sphere that holds it. The elements are
 //! particles like others for search, walls and contacts; their places and motions follow from those of their
 //! body, and the mass of each is that of the body. A sphere is its own body and is not in here. Bodies keep
-//! their order. Where several processes share a simulation, each has the bodies whose centre is in its box, with
-//! all of their elements.
+//! their order. Where several processes share a simulation, each has the bodies whose centre is in its box,
+//! with all of their elements.
 struct RigidBodies
 {
     std::vector<BodyPose> pose;

@@ -22,8 +22,8 @@ DEMENS_INLINE DEMENS_FUNCTION std::uint32_t feature_id(ContactFeature kind, std:
 {
     return static_cast<std::uint32_t>(kind) << 24 | a << 12 | b;
 }
-//! A pair's only place, wherever it is: it goes on from feature to feature with its history. Which corners of a
-//! face the search ends with is chance.
+//! A pair's only place, wherever it is: it goes on from feature to feature with its history. Which corners of
+//! a face the search ends with is chance.
 constexpr std::uint32_t only_place = static_cast<std::uint32_t>(ContactFeature::edges) << 24 | 0xffffff;
 constexpr std::uint32_t features_of_second = 1U << 12; //!< how many numbers those of the second have
 

@@ -29,8 +29,7 @@ void write_contacts(std::vector<Team::Bytes>& parcels, ContactLists const& lists
             std::uint32_t const i = list.first[s], j = list.second[s];
             moves.for_each(i, j, with_wall, [&](int rank) {
                 ByteWriter out(parcels[static_cast<std::size_t>(rank)]);
-                out.put(ContactHeader{list.interaction, with_wall, moves.id(i),
-                                      with_wall ? j : moves.id(j),
+                out.put(ContactHeader{list.interaction, with_wall, moves.id(i), with_wall ? j : moves.id(j),
                                       with_wall ? list.offset[s] : Vector3{}});
                 out.put(list.state.data() + s * size, size);
             });

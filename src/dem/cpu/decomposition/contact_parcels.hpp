@@ -8,8 +8,9 @@
 
 namespace demens::dem {
 
-// Contacts that move with their particles. A pair at a border is known to the owners of both; whoever owns one
-// of the two afterwards knows it then. Of balls: those that touch, with their histories; of hulls: all pairs.
+// Contacts that move with their particles. A pair at a border is known to the owners of both; whoever owns
+// one of the two afterwards knows it then. Of balls: those that touch, with their histories; of hulls: all
+// pairs.
 
 //! Where each particle of this rank goes.
 struct Moves

@@ -35,7 +35,8 @@ class GhostExchange
     void restore(Routes const& routes, Team const& team, std::size_t particles, bool has_hulls);
 
   private:
-    //! Numbers of a particle that change: place, velocity, spin, and, where there are hulls, how it is turned.
+    //! Numbers of a particle that change: place, velocity, spin, and, where there are hulls, how it is
+    //! turned.
     static std::size_t record(bool has_hulls) { return has_hulls ? 13 : 9; }
     void resize_buffers(bool has_hulls);
 

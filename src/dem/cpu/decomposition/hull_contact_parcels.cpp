@@ -27,8 +27,8 @@ void write_contacts(std::vector<Team::Bytes>& parcels, HullContactLists const& l
                 std::size_t const count = contacts.to - contacts.from;
                 ByteWriter out(parcels[static_cast<std::size_t>(rank)]);
                 out.put(HullPairHeader{list.interaction, list.with_walls(), moves.id(pair.first),
-                                       list.with_walls() ? pair.second : moves.id(pair.second),
-                                       pair.memory, count});
+                                       list.with_walls() ? pair.second : moves.id(pair.second), pair.memory,
+                                       count});
                 out.put(list.contacts.data() + contacts.from, count);
                 out.put(list.history(contacts.from), count * static_cast<std::size_t>(list.state_size));
             });

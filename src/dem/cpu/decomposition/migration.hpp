@@ -8,8 +8,8 @@
 
 namespace demens::dem {
 
-//! Moves particles, and bodies with all of their elements, to new owners, and with them the histories of their
-//! contacts.
+//! Moves particles, and bodies with all of their elements, to new owners, and with them the histories of
+//! their contacts.
 class Migration
 {
   public:

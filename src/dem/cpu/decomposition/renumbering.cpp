@@ -11,8 +11,8 @@ void Renumbering::set(std::vector<std::uint32_t> ids, std::vector<std::uint32_t>
 {
     DEMENS_EXPECT(ids.size() == new_numbers.size(), "a number of each");
     ids_ = std::move(ids), new_numbers_ = std::move(new_numbers);
-    stayed_ = ids_.size() -
-              static_cast<std::size_t>(std::count(new_numbers_.begin(), new_numbers_.end(), gone));
+    stayed_ =
+        ids_.size() - static_cast<std::size_t>(std::count(new_numbers_.begin(), new_numbers_.end(), gone));
 }
 
 void Renumbering::add(Particles const& particles, std::size_t from)

@@ -42,8 +42,9 @@ void gather(ContactBlock& block, HullContactList const& list, std::vector<HullPa
         std::uint32_t const first = pairs[contact.pair].first, second = pairs[contact.pair].second;
         contact::Sphere const i = ball_of(state, first, contact.arm_first);
         put(block, l,
-            list.with_walls() ? contact::meeting(i, state.walls.all()[second].surface(), contact.apart)
-                            : contact::meeting(i, ball_of(state, second, contact.arm_second), contact.apart));
+            list.with_walls()
+                ? contact::meeting(i, state.walls.all()[second].surface(), contact.apart)
+                : contact::meeting(i, ball_of(state, second, contact.arm_second), contact.apart));
         for (int k = 0; k < list.state_size; ++k)
             block.state[k][l] = list.history(c)[k];
     }
@@ -165,8 +166,8 @@ HullContact contact_at(grain::FeatureContact const& at, std::uint32_t pair, Hull
     return contact;
 }
 
-//! A contact that has parted: its balls nearly touch. Rounding must not leave an overlap, in which they would be
-//! damped.
+//! A contact that has parted: its balls nearly touch. Rounding must not leave an overlap, in which they would
+//! be damped.
 HullContact at_touch(HullContact contact, HullPairPlace const& place)
 {
     contact.apart *= (1 + 1e-12) * place.touching() / norm(contact.apart);

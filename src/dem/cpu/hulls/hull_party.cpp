@@ -48,8 +48,8 @@ void HullParties::update(State const& state, std::size_t body, std::uint32_t par
     HullParty& hull = hulls_[body];
     // A body that has taken the place of another counts as one that has moved.
     grain::CorePose const pose{{p.x, p.y, p.z}, bodies.orientation(body).rotation(), radius};
-    body_travelled_[body] += norm(pose.place - hull.pose.place) +
-                             turned(hull.pose.rotation, pose.rotation) * shape.reach * radius;
+    body_travelled_[body] +=
+        norm(pose.place - hull.pose.place) + turned(hull.pose.rotation, pose.rotation) * shape.reach * radius;
     travelled_[particle] = body_travelled_[body];
     hull = {shape.core, pose, radius * shape.rounding, radius};
 }

@@ -88,7 +88,8 @@ void HullSearch::rebuild(NeighbourSearch const& search, Particles const& particl
             carry_over(lists.pairs[k], {&old.pairs[k]}, new_number);
             continue;
         }
-        for (auto* now : {&lists.pairs[k], &lists.ghosts[k]}) // one of a pair may have become a ghost, or none
+        for (auto* now :
+             {&lists.pairs[k], &lists.ghosts[k]}) // one of a pair may have become a ghost, or none
             carry_over(*now, {&old.pairs[k], &old.ghosts[k]}, new_number);
     }
 }
