@@ -172,6 +172,22 @@ TEST(Hulls, LedgerClosesWithFrictionAndDamping)
     EXPECT_GT(simulation.energy().lost_to_damping, 0);
 }
 
+TEST(Hulls, MoveWithAndWithoutTheLedgerToTheSameBits)
+{
+    auto const make = [](bool with_ledger) {
+        dem::SimulationOptions options{.time_step = 4e-6, .skin = 2e-3};
+        options.energy_ledger = with_ledger;
+        dem::Simulation simulation(model(0.5, 0.5), options);
+        simulation.add(floor());
+        simulation.add(hulls(18, 3.5 * radius, 13, true));
+        simulation.advance(20000);
+        return simulation;
+    };
+    auto with = make(true), without = make(false);
+    EXPECT_TRUE(same_motion(with, without));
+    EXPECT_GT(with.energy().lost_to_friction, 0);
+}
+
 //! A cube and a rod that lean on each other on a floor that leans, and others far away, which may be taken
 //! out. \return places and spins of the first two at the end
 std::vector<Vector3> lean(bool others, bool removes)

@@ -64,7 +64,7 @@ std::size_t Decomposition::remove(State& state, std::unordered_set<std::uint32_t
 }
 
 //! A particle costs a move and a search, about as much as the force of a contact, which has two particles.
-//! One of a hull costs ten times as much (tests/bench/hulls).
+//! A pair of which one is a hull costs some ten times as much (tests/bench/RESULTS.md).
 std::vector<double> Decomposition::weights(State const& state) const
 {
     std::vector<double> weights(state.particles.size(), 2.0);

@@ -151,6 +151,20 @@ TEST(HullContacts, OfABallIsOnePoint)
     EXPECT_NEAR(balls.contacts[0].point.z, 0.295, 1e-14);
 }
 
+//! Its history goes on wherever it is on the hull: corners of the nearest face are chance.
+TEST(HullContacts, OfABallIsTheSamePlaceAllOverTheHull)
+{
+    Hull const point = point_hull();
+    Numbers number;
+    for (int k = 0; k < 200; ++k) {
+        Vector3 const way = number.direction();
+        double const out = 0.5 / std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
+        ContactSet const set = contacts_of({core, r}, {point, 0.2, {(out + 0.15) * way}});
+        ASSERT_EQ(set.count, 1);
+        EXPECT_EQ(set.contacts[0].feature, only_place);
+    }
+}
+
 TEST(HullContacts, OfASmallRectangleOfAWall)
 {
     Hull const wall = flat_hull({{-0.1, -2, 0}, {0.1, -2, 0}, {0.1, 2, 0}, {-0.1, 2, 0}}); // a strip
