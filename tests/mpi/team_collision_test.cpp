@@ -89,6 +89,27 @@ TEST_P(Collision, IsThatOfOneRank)
         EXPECT_NEAR(a.*entry.value, b.*entry.value, 1e-12 * a.turned_over) << entry.name;
 }
 
+//! A change makes the next look search anew, by which a sphere may change its owner.
+TEST_P(Collision, ALookAfterAChangeSeesTheEnergyOfOneRank)
+{
+    auto alone = make(nullptr, GetParam()), shared = make(&team(), GetParam());
+    auto const far = rectangle({0, -5, 0}, {1, 0, 0}, {0, 0, 1}, 0.1);
+    dem::WallId const walls[] = {alone.add(far), shared.add(far)};
+    double const scale = alone.energy().kinetic();
+    int looks = 0;
+    for (int k = 0; k < 3000; ++k) {
+        alone.advance(1), shared.advance(1);
+        if (alone.counts().contacts == 0)
+            continue;
+        ++looks;
+        alone.activate(walls[0], true), shared.activate(walls[1], true);
+        auto const a = alone.energy(), b = shared.energy();
+        ASSERT_NEAR(a.kinetic_translation, b.kinetic_translation, 1e-12 * scale) << "step " << k;
+        ASSERT_NEAR(a.kinetic_rotation, b.kinetic_rotation, 1e-12 * scale) << "step " << k;
+    }
+    EXPECT_GT(looks, 500);
+}
+
 INSTANTIATE_TEST_SUITE_P(Team, Collision,
                          ::testing::Values(Case{"head_on", 0, 0, {1, 0, 0}, {}},
                                            Case{"oblique", 0, 0, {1, 0.8, 0.3}, {}},

@@ -46,7 +46,7 @@ void Migration::move(std::span<int const> owners)
         if (leaving_particles[rank].empty())
             continue;
         ByteWriter out(parcels.emplace_back(Team::Parcel{static_cast<int>(rank), {}}).bytes);
-        write_particles(out, particles, leaving_particles[rank], Loads::stay);
+        write_particles(out, particles, leaving_particles[rank], Loads::travel);
         if (particles.has_bodies)
             write_bodies(out, state_, leaving_bodies[rank]);
         out.put_part(contacts[rank]), out.put_part(hull_contacts[rank]);
@@ -59,7 +59,7 @@ void Migration::move(std::span<int const> owners)
     for (auto& parcel : team_.exchange(parcels)) {
         ByteReader in(parcel.bytes);
         std::size_t const before = particles.size();
-        append_particles(in, particles, Loads::stay);
+        append_particles(in, particles, Loads::travel);
         numbers_.add(particles, before);
         if (particles.has_bodies)
             append_bodies(in, state_, numbers_);

@@ -7,8 +7,8 @@
 
 namespace demens::dem {
 
-//! Whether loads travel with the particles: a particle that is to be moved on needs none, the next step
-//! computes them anew.
+//! Whether loads travel with the particles: ghosts need none; who reads velocities at the time of the places
+//! does, also after a move.
 enum class Loads
 {
     stay,
