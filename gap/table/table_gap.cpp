@@ -116,20 +116,11 @@ Minimum best_of(Model const& model, MeasuredTable const& measured, std::vector<T
     return best.value();
 }
 
-//! How cells change with the free factors; central differences of polynomials of the second degree are exact.
+//! How cells change with the free factors.
 Eigen::MatrixXd slopes(Model const& model, std::vector<TableCell> const& cells, Minimum const& about)
 {
-    constexpr double h = 1e-3;
-    Eigen::MatrixXd slopes(static_cast<Index>(cells.size()), about.unit.size());
-    for (Index k = 0; k < about.unit.size(); ++k) {
-        VectorXd above = about.unit, below = about.unit;
-        above[k] = std::clamp(about.unit[k], h, 1 - h) + h; // within the cube
-        below[k] = above[k] - 2 * h;
-        slopes.col(k) =
-            (model.predicted(cells, above, about.levels) - model.predicted(cells, below, about.levels)) /
-            (2 * h);
-    }
-    return slopes;
+    return tao_calib::central_slopes(
+        [&](VectorXd const& unit) { return model.predicted(cells, unit, about.levels); }, about.unit);
 }
 
 //! Conditions from 0 to 1.

@@ -8,19 +8,27 @@ namespace demens::tao_calib {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+Eigen::MatrixXd central_slopes(std::function<VectorXd(VectorXd const&)> const& of, VectorXd const& point)
+{
+    constexpr double h = 1e-3;
+    Eigen::MatrixXd slopes;
+    for (Index k = 0; k < point.size(); ++k) {
+        VectorXd above = point, below = point;
+        above[k] = std::clamp(point[k], h, 1 - h) + h; // within the cube
+        below[k] = above[k] - 2 * h;
+        VectorXd const slope = (of(above) - of(below)) / (2 * h);
+        slopes.conservativeResize(slope.size(), point.size());
+        slopes.col(k) = slope;
+    }
+    return slopes;
+}
+
 VectorXd polished(LeastSquaresProblem const& problem, UnitCube const& cube, VectorXd point)
 {
     constexpr int steps = 10;
-    constexpr double h = 1e-3;
     VectorXd residuals = problem.evaluate(point);
     for (int step = 0; step < steps; ++step) {
-        Eigen::MatrixXd slope(residuals.size(), point.size());
-        for (Index k = 0; k < point.size(); ++k) {
-            VectorXd above = point, below = point;
-            above[k] = std::clamp(point[k], h, 1 - h) + h; // within the cube
-            below[k] = above[k] - 2 * h;
-            slope.col(k) = (problem.evaluate(above) - problem.evaluate(below)) / (2 * h);
-        }
+        Eigen::MatrixXd const slope = central_slopes(problem.evaluate, point);
         VectorXd const next =
             cube.project((point - VectorXd(slope.completeOrthogonalDecomposition().solve(residuals)))
                              .cwiseMax(0)
