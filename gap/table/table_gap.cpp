@@ -2,8 +2,6 @@
 
 #include "demens/base/error.hpp"
 #include "gap/statistics/floor.hpp"
-#include "gap/statistics/refit.hpp"
-#include "tao_calib/fit_table/fit_report.hpp"
 #include "tao_calib/solver/multi_start.hpp"
 #include "tao_calib/solver/polish.hpp"
 

@@ -1,6 +1,5 @@
 #include "gap/table/table_report.hpp"
 
-#include "demens/base/not_a_number.hpp"
 #include "tao_calib/fit_table/fit_report.hpp"
 
 #include <algorithm>
@@ -67,7 +66,7 @@ Json optimum_document(MeasuredTable const& measured, TableOptimum const& optimum
 
 std::string verdict(TableGap const& gap)
 {
-    auto const cells = gap.located.cells;
+    auto const& cells = gap.located.cells;
     if (std::all_of(cells.begin(), cells.end(),
                     [](auto const& cell) { return cell.finding == Finding::not_testable; }))
         return "not testable: as many factors as values, or more";

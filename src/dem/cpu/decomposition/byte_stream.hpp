@@ -3,6 +3,7 @@
 #include "demens/base/contract.hpp"
 #include "demens/dem/team.hpp"
 
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 

@@ -62,7 +62,18 @@ void renumber_contacts(ContactLists& lists, Particles const& particles, Renumber
     });
 }
 
-//! Both owners of a pair at a border may have sent it, with the same history, or it was here all along.
+std::optional<CandidatePair> new_ends(CandidatePair const& ids, bool with_wall, Renumbering const& numbers,
+                                      KnownPairs& known)
+{
+    std::uint32_t const i = numbers.find(ids.first);
+    std::uint32_t const j = with_wall ? ids.second : numbers.find(ids.second);
+    if (i == gone || j == gone) // the partner did not move: the pair was at the border and is known
+        return {};
+    if (!with_wall && !known.insert(ids.first, ids.second))
+        return {};
+    return CandidatePair{i, j};
+}
+
 void take_contacts(Team::Bytes const& parcel, ContactLists& lists, Renumbering const& numbers,
                    KnownPairs& known)
 {
@@ -72,13 +83,10 @@ void take_contacts(Team::Bytes const& parcel, ContactLists& lists, Renumbering c
         ContactList& list = (header.with_wall ? lists.walls : lists.pairs)[header.interaction];
         state.resize(static_cast<std::size_t>(list.state_size));
         in.get(state.data(), state.size());
-        std::uint32_t const i = numbers.find(header.first);
-        std::uint32_t const j = header.with_wall ? header.second : numbers.find(header.second);
-        if (i == gone || j == gone) // the partner did not move: the pair was at the border and is known
+        auto const ends = new_ends({header.first, header.second}, header.with_wall, numbers, known);
+        if (!ends)
             continue;
-        if (!header.with_wall && !known.insert(header.first, header.second))
-            continue;
-        list.add(i, j);
+        list.add(ends->first, ends->second);
         list.touching.back() = 1;
         std::copy(state.begin(), state.end(), list.state.end() - list.state_size);
         if (header.with_wall)

@@ -3,6 +3,7 @@
 #include "demens/dem/team.hpp"
 #include "src/dem/cpu/decomposition/renumbering.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,12 @@ struct Moves
             send(to_j);
     }
 };
+
+//! What a contact that came is between, by its new numbers; of a wall, `second` is its number. None where it
+//! is known here: both owners of a pair at a border may have sent it, with the same history, or it was here
+//! all along.
+std::optional<CandidatePair> new_ends(CandidatePair const& ids, bool with_wall, Renumbering const& numbers,
+                                      KnownPairs& known);
 
 //! Appends, for each rank, what goes there.
 void write_contacts(std::vector<Team::Bytes>& parcels, ContactLists const& lists, Moves const& moves);

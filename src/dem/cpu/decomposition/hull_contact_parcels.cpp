@@ -72,13 +72,10 @@ void take_contacts(Team::Bytes const& parcel, HullContactLists& lists, Renumberi
         came.state.resize(header.contacts * static_cast<std::size_t>(list.state_size));
         in.get(came.contacts.data(), came.contacts.size());
         in.get(came.state.data(), came.state.size());
-        std::uint32_t const i = numbers.find(header.first);
-        std::uint32_t const j = header.with_wall ? header.second : numbers.find(header.second);
-        if (i == gone || j == gone) // the partner did not move: the pair was at the border and is known
+        auto const ends = new_ends({header.first, header.second}, header.with_wall, numbers, known);
+        if (!ends)
             continue;
-        if (!header.with_wall && !known.insert(header.first, header.second))
-            continue;
-        list.add({i, j, header.memory}, came, {0, came.contacts.size()});
+        list.add({ends->first, ends->second, header.memory}, came, {0, came.contacts.size()});
     }
 }
 
