@@ -31,7 +31,8 @@ Columns columns_of(FitInput const& input, CsvTable const& measured)
         columns.factors.push_back(measured.find(factor.column));
     for (auto const& response : input.responses) {
         columns.responses.push_back(measured.find(response.column));
-        columns.sds.push_back(measured.find(response.column + sd_of));
+        columns.sds.push_back(columns.responses.back() ? measured.find(response.column + sd_of)
+                                                       : std::nullopt);
     }
     auto const any = [](auto const& found) {
         return std::any_of(found.begin(), found.end(), [](auto const& column) { return column.has_value(); });
@@ -41,6 +42,11 @@ Columns columns_of(FitInput const& input, CsvTable const& measured)
                                      measured.origin(), input.origin));
     if (!any(columns.factors))
         throw InputError(fmt::format("{}: has no column of a [[factor]] of {}: where was this measured?",
+                                     measured.origin(), input.origin));
+    if (std::all_of(columns.factors.begin(), columns.factors.end(),
+                    [](auto const& column) { return column.has_value(); }))
+        throw InputError(fmt::format("{}: has a column of every [[factor]] of {}: none is left to be found; "
+                                     "leave out those that were not known where this was measured",
                                      measured.origin(), input.origin));
     return columns;
 }

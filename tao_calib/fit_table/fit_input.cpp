@@ -137,7 +137,8 @@ FitResponse read_response(InputTable const& table, bool has_measured)
         if (value == 0)
             throw table.error(key, "must be above 0");
         if (!std::isnan(value) && std::isnan(response.target) && !has_measured)
-            throw table.error(key, "means nothing without a target");
+            throw table.error(key,
+                              "means nothing without a target, or [fit] measured for `demens gap table`");
     }
     return response;
 }

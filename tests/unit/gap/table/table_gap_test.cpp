@@ -158,9 +158,12 @@ TEST(TableGap, BadInputIsNamed)
                       text::CsvTable::from_text(measured(), "m.csv"));
               }).find("leave out one"),
               std::string::npos);
-    auto const table = table_of("speed,angle,operator\n400,33,1\n500,34,2\n");
-    ASSERT_EQ(table.warnings.size(), 1u);
+    EXPECT_NE(fault("speed,friction,rolling,angle\n400,.4,.1,30\n500,.4,.1,31\n").find("none is left"),
+              std::string::npos);
+    auto const table = table_of("speed,angle,operator,flow_sd\n400,33,1,2\n500,34,2,2\n");
+    ASSERT_EQ(table.warnings.size(), 2u);
     EXPECT_NE(table.warnings.front().find("`operator`"), std::string::npos);
+    EXPECT_NE(table.warnings.back().find("`flow_sd`"), std::string::npos);
 }
 
 TEST(TableGap, AsManyValuesAsFactorsTestNothing)
