@@ -160,34 +160,38 @@ int score(fs::path const& folder)
 {
     std::vector<gap::AnsweredCase> cases;
     auto const seals = read_json(folder / "seals.json");
-    int failed = 0;
+    int failed = 0, unanswered = 0;
     for (auto const& one : case_folders(folder)) {
         auto const name = one.filename().string();
+        if (!fs::exists(one / "answer.json")) { // stays sealed
+            ++unanswered;
+            continue;
+        }
         auto const sealed = read_json(folder / "truth" / (name + ".json"));
         auto const truth = gap::truth_of(sealed.at("truth"));
         if (gap::seal_of(sealed.at("salt"), truth) != seals.at(name).get<std::string>())
             throw InputError(fmt::format("{}: its truth is not the one that was sealed", name));
-        if (!fs::exists(one / "answer.json"))
-            throw InputError(fmt::format("{}: has no answer yet; diagnose the cases first", name));
-        auto answer = read_json(one / "answer.json");
-        if (!answer.contains("which")) {
+        auto document = read_json(one / "answer.json");
+        if (!document.contains("which")) {
             ++failed;
             continue;
         }
-        fmt::print(
-            "{:<8} {:<8} {:<44} {}\n", name, word_for(truth.kind),
-            [&] {
-                std::string text;
-                for (std::size_t k = 0; k < truth.effects.size(); ++k)
-                    text += fmt::format("{}{} x {:g}", k ? ", " : "", truth.effects[k], truth.strengths[k]);
-                return text;
-            }(),
-            answer["which"]["verdict"].get<std::string>());
+        std::string acts;
+        for (std::size_t k = 0; k < truth.effects.size(); ++k)
+            acts += fmt::format("{}{} x {:g}", k ? ", " : "", truth.effects[k], truth.strengths[k]);
+        gap::CaseAnswer answer(std::move(document));
+        fmt::print("{:<8} {:<8} {:<44} {:<24} {:.2f}  {}\n", name, word_for(truth.kind), acts, answer.first(),
+                   *std::max_element(answer.probabilities().begin(), answer.probabilities().end()),
+                   answer.verdict());
         cases.push_back({truth, std::move(answer)});
     }
-    fmt::print("\n{}", gap::score_text(cases));
+    if (cases.empty() && failed == 0)
+        throw InputError(fmt::format("{}: no case has an answer yet; diagnose them first", folder.string()));
+    fmt::print("\n{}\n{}", gap::confusion_text(cases), gap::score_text(cases));
     if (failed > 0)
         fmt::print("{} cases could not be calibrated and are not counted\n", failed);
+    if (unanswered > 0)
+        fmt::print("{} cases have no answer yet; they stay sealed and are not counted\n", unanswered);
     return success;
 }
 

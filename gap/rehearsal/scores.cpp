@@ -1,7 +1,6 @@
 #include "gap/rehearsal/scores.hpp"
 
-#include "demens/base/error.hpp"
-#include "gap/statistics/locate.hpp"
+#include "gap/statistics/projection.hpp"
 #include "gap/statistics/score.hpp"
 
 #include <algorithm>
@@ -10,76 +9,9 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <map>
-#include <optional>
 
 namespace demens::gap {
 namespace {
-
-using nlohmann::json;
-
-//! Classes: none, effects as the answer lists them, unknown. A pair counts for both of its effects by half.
-struct Classes
-{
-    std::vector<std::string> names;
-    std::vector<double> probabilities;
-
-    std::string first() const
-    {
-        return names[static_cast<std::size_t>(std::max_element(probabilities.begin(), probabilities.end()) -
-                                              probabilities.begin())];
-    }
-};
-
-Classes classes_of(json const& answer)
-{
-    auto const& which = answer.at("which");
-    Classes classes{{"none", "unknown"}, {which.at("none"), which.at("unknown")}};
-    for (auto const& effect : which.at("effects")) {
-        classes.names.push_back(effect.at("effect"));
-        classes.probabilities.push_back(0);
-    }
-    for (auto const& hypothesis : which.at("hypotheses")) {
-        auto const& effects = hypothesis.at("effects");
-        for (std::string const name : effects)
-            for (std::size_t k = 2; k < classes.names.size(); ++k)
-                if (classes.names[k] == name)
-                    classes.probabilities[k] +=
-                        hypothesis.at("probability").get<double>() / static_cast<double>(effects.size());
-    }
-    return classes;
-}
-
-bool names_anything(json const& answer)
-{
-    return !answer.at("which").at("named").empty() || !answer.at("which").at("named_groups").empty();
-}
-
-//! Whether the answer names the effect, alone or in a group.
-bool names(json const& answer, std::string const& effect)
-{
-    auto const& which = answer.at("which");
-    auto const holds = [&](json const& list) {
-        return std::find(list.begin(), list.end(), effect) != list.end();
-    };
-    return holds(which.at("named")) ||
-           std::any_of(which.at("named_groups").begin(), which.at("named_groups").end(), holds);
-}
-
-//! Whether the effect, or one of a group with it, comes first.
-bool first_in_group(json const& answer, std::string const& first, std::string const& effect)
-{
-    if (first == effect)
-        return true;
-    for (auto const& group : answer.at("which").at("groups")) {
-        auto const& members = group.at("effects");
-        auto const holds = [&](std::string const& name) {
-            return std::find(members.begin(), members.end(), name) != members.end();
-        };
-        if (holds(first) && holds(effect))
-            return true;
-    }
-    return false;
-}
 
 class Share
 {
@@ -102,41 +34,208 @@ class Share
     int hits_ = 0, cases_ = 0;
 };
 
-//! Whether a simpler rule's answer is right; the prior says none.
-struct SimplerRules
-{
-    void add(json const& answer, std::string const& right)
-    {
-        for (auto& [rule, share] : shares)
-            share.add((rule == "prior" ? "none" : answer.at("simpler_rules").at(rule).get<std::string>()) ==
-                      right);
-    }
-    std::map<std::string, Share> shares = {{"cosine", {}}, {"criterion", {}}, {"prior", {}}, {"refit", {}}};
-};
-
-//! Probabilities said of all classes, and how often they came true.
-class SaidAndTrue
+class Report
 {
   public:
-    void add(Classes const& classes, std::vector<std::string> const& right)
+    void line(std::string_view what, std::string_view value)
     {
-        for (std::size_t k = 0; k < classes.names.size(); ++k) {
-            auto& bin =
-                bins_[static_cast<std::size_t>(std::clamp(classes.probabilities[k] * bins, 0.0, bins - 1.0))];
-            bin.said += classes.probabilities[k];
-            ++bin.count;
-            bin.came_true += std::find(right.begin(), right.end(), classes.names[k]) != right.end();
+        fmt::format_to(std::back_inserter(text_), "{:<58} {}\n", what, value);
+    }
+    std::string take() { return std::move(text_); }
+
+  private:
+    std::string text_;
+};
+
+//! Classes of an answer that are right: one, of a pair both.
+std::vector<std::string> right_classes(CaseTruth const& truth)
+{
+    switch (truth.kind) {
+    case CaseKind::none:
+        return {"none"};
+    case CaseKind::outside:
+        return {"unknown"};
+    default:
+        return truth.effects;
+    }
+}
+
+//! Single effects of one kind.
+struct Singles
+{
+    void add(CaseAnswer const& answer, std::string const& effect)
+    {
+        first.add(answer.first() == effect);
+        in_group.add(answer.has_in_first_group(effect));
+        named.add(answer.names(effect));
+    }
+    void report(Report& to, std::string const& which) const
+    {
+        to.line(which + ": right cause first", first.text());
+        to.line(which + ": in its group", in_group.text());
+        to.line(which + ": named, alone or in a group", named.text());
+    }
+    Share first, in_group, named;
+};
+
+class AllSingles
+{
+  public:
+    void add(CaseTruth const& truth, CaseAnswer const& answer)
+    {
+        auto const& effect = truth.effects.front();
+        all_.add(answer, effect);
+        by_strength_[truth.strengths.front()].add(answer, effect);
+        auto const distance = answer.stands_out(truth);
+        (distance && *distance >= least_distance ? detectable_ : hidden_).add(answer, effect);
+    }
+    void report(Report& to) const
+    {
+        all_.report(to, "single effect");
+        detectable_.report(to, fmt::format("detectable ({:.2g} sigmas)", least_distance));
+        hidden_.report(to, "not detectable");
+        for (auto const& [strength, singles] : by_strength_)
+            to.line(fmt::format("{:g} of the typical amplitude: right cause first", strength),
+                    singles.first.text());
+    }
+
+  private:
+    Singles all_, detectable_, hidden_;
+    std::map<double, Singles> by_strength_;
+};
+
+class Others
+{
+  public:
+    void add(CaseTruth const& truth, CaseAnswer const& answer)
+    {
+        switch (truth.kind) {
+        case CaseKind::none:
+            false_first_.add(answer.first() != "none");
+            false_named_.add(answer.names_anything());
+            break;
+        case CaseKind::pair:
+            one_of_pair_.add(answer.first() == truth.effects[0] || answer.first() == truth.effects[1]);
+            both_of_pair_.add(answer.names(truth.effects[0]) && answer.names(truth.effects[1]));
+            break;
+        case CaseKind::outside:
+            flagged_.add(answer.is_unknown());
+            misnamed_.add(answer.names_anything());
+            break;
+        case CaseKind::single:
+            break;
         }
     }
-    std::string text() const
+    void report(Report& to) const
     {
+        to.line("none: another answer first", false_first_.text());
+        to.line("none: something named", false_named_.text());
+        to.line("outside the list: flagged unknown", flagged_.text());
+        to.line("outside the list: something named", misnamed_.text());
+        to.line("pairs: one of them first", one_of_pair_.text());
+        to.line("pairs: both named", both_of_pair_.text());
+    }
+
+  private:
+    Share false_first_, false_named_, flagged_, misnamed_, one_of_pair_, both_of_pair_;
+};
+
+//! Cells of all cases whose effects the diagnosis knows: those said to be beyond the floor, and those that
+//! are.
+class Locations
+{
+  public:
+    void add(CaseTruth const& truth, CaseAnswer const& answer)
+    {
+        auto const moved = answer.moved_cells(truth);
+        if (!moved)
+            return;
+        auto const said = answer.located_cells();
+        moved_.insert(moved_.end(), moved->begin(), moved->end());
+        said_.insert(said_.end(), said.begin(), said.end());
+    }
+    void report(Report& to) const
+    {
+        auto const score = location_score(said_, moved_);
+        to.line("located: cells beyond the floor",
+                fmt::format("F1 {:.2f} (precision {:.2f}, recall {:.2f}) of {} cells, {} of them moved",
+                            score.f1, score.precision, score.recall, said_.size(),
+                            std::count(moved_.begin(), moved_.end(), true)));
+    }
+
+  private:
+    std::vector<bool> said_, moved_;
+};
+
+//! Of right single effects. What is held out was simulated with the effect itself, so that who knows it
+//! closes the gap: 1.
+class Closures
+{
+  public:
+    void add(CaseTruth const& truth, CaseAnswer const& answer)
+    {
+        auto const closure = answer.closure_of(truth.effects.front());
+        simulated_.add(closure.has_value());
+        if (!closure)
+            return;
+        at_floor_.add(closure->at_floor);
+        if (!closure->closure)
+            return;
+        values_.push_back(*closure->closure);
+        if (closure->lower && closure->upper)
+            holds_one_.add(*closure->lower <= 1 && *closure->upper >= 1 - 1e-9);
+        if (closure->best_other)
+            beats_others_.add(*closure->closure - *closure->best_other >= 0.2);
+    }
+    void report(Report& to)
+    {
+        to.line("right single effect: simulated on what is held out", simulated_.text());
+        to.line("no gap there beyond the floor", at_floor_.text());
+        std::sort(values_.begin(), values_.end());
+        to.line("its closure, median",
+                values_.empty() ? "no case"
+                                : fmt::format("{:.2f} of {}", values_[values_.size() / 2], values_.size()));
+        to.line("its 90 % interval holds 1", holds_one_.text());
+        to.line("the best decoy closes .2 less", beats_others_.text());
+    }
+
+  private:
+    Share simulated_, at_floor_, holds_one_, beats_others_;
+    std::vector<double> values_;
+};
+
+//! Brier and log scores, and how often what was said came true.
+class Probabilities
+{
+  public:
+    void add(CaseTruth const& truth, CaseAnswer const& answer)
+    {
+        auto const right = right_classes(truth);
+        double p_right = 0;
+        for (std::size_t k = 0; k < answer.classes().size(); ++k) {
+            double const said = answer.probabilities()[k];
+            bool const is_right = std::find(right.begin(), right.end(), answer.classes()[k]) != right.end();
+            p_right += is_right ? said : 0;
+            brier_ += std::pow(said - (is_right ? 1.0 / static_cast<double>(right.size()) : 0), 2);
+            auto& bin = bins_[static_cast<std::size_t>(std::clamp(said * bins, 0.0, bins - 1.0))];
+            bin.said += said, ++bin.count, bin.came_true += is_right;
+        }
+        logs_ -= std::log(std::max(p_right, 1e-12));
+        ++cases_;
+    }
+    void report(Report& to) const
+    {
+        if (cases_ == 0)
+            return;
+        to.line("Brier score", fmt::format("{:.3f}", brier_ / cases_));
+        to.line("log score", fmt::format("{:.3f}", logs_ / cases_));
         std::string text;
         for (auto const& bin : bins_)
             if (bin.count > 0)
                 fmt::format_to(std::back_inserter(text), "{}{:.2f}: {:.2f} of {}", text.empty() ? "" : ", ",
                                bin.said / bin.count, static_cast<double>(bin.came_true) / bin.count,
                                bin.count);
-        return text;
+        to.line("probability said: share that came true", text);
     }
 
   private:
@@ -147,146 +246,94 @@ class SaidAndTrue
         int count = 0, came_true = 0;
     };
     std::array<Bin, bins> bins_;
+    double brier_ = 0, logs_ = 0;
+    int cases_ = 0;
 };
 
-//! Cells that the effects of a case truly move beyond what recalibration hides and the floor covers: by twice
-//! the standard deviation at their true amplitudes, by the signatures of the diagnosis. None where an effect
-//! is not among these.
-std::optional<std::vector<bool>> moved_cells(CaseTruth const& truth, json const& answer)
-{
-    std::vector<double> left(answer.at("where").at("cells").size());
-    for (std::size_t e = 0; e < truth.effects.size(); ++e) {
-        auto const& effects = answer.at("which").at("effects");
-        auto const found = std::find_if(effects.begin(), effects.end(), [&](json const& effect) {
-            return effect.at("effect") == truth.effects[e];
-        });
-        if (found == effects.end())
-            return {};
-        double const a = truth.amplitudes[e];
-        auto const& straight = found->at("left_sigmas");
-        auto const& curved = found->at("left_sigmas_curved");
-        for (std::size_t cell = 0; cell < left.size(); ++cell)
-            if (straight.at(cell).is_number()) // else not testable
-                left[cell] += a * straight.at(cell).get<double>() +
-                              (curved.empty() ? 0 : a * a * curved.at(cell).get<double>());
-    }
-    std::vector<bool> moved;
-    for (double const sigmas : left)
-        moved.push_back(std::abs(sigmas) >= 2);
-    return moved;
-}
-
-//! Cells of all cases whose effects the diagnosis knows: those said to be beyond the floor, and those that
-//! are.
-class Locations
+//! What simpler rules would have said where nothing or one effect acts, beside the diagnosis.
+class SimplerRules
 {
   public:
-    void add(CaseTruth const& truth, json const& answer)
+    void add(CaseTruth const& truth, CaseAnswer const& answer)
     {
-        auto const moved = moved_cells(truth, answer);
-        if (!moved)
-            return;
-        moved_.insert(moved_.end(), moved->begin(), moved->end());
-        for (auto const& cell : answer.at("where").at("cells"))
-            said_.push_back(cell.at("finding") == words(Finding::beyond_floor));
+        auto const right = right_classes(truth).front();
+        diagnosis_.add(answer.first() == right);
+        for (auto& [rule, share] : shares_)
+            share.add(answer.by_rule(rule) == right);
     }
-    std::string text() const
+    void report(Report& to) const
     {
-        auto const score = location_score(said_, moved_);
-        return fmt::format("F1 {:.2f} (precision {:.2f}, recall {:.2f}) of {} cells, {} of them moved",
-                           score.f1, score.precision, score.recall, said_.size(),
-                           std::count(moved_.begin(), moved_.end(), true));
+        to.line("none or a single effect: right by the diagnosis", diagnosis_.text());
+        for (auto const& [rule, share] : shares_)
+            to.line("none or a single effect: right by the rule " + rule, share.text());
     }
 
   private:
-    std::vector<bool> said_, moved_;
+    Share diagnosis_;
+    std::map<std::string, Share> shares_ = {{"cosine", {}}, {"criterion", {}}, {"prior", {}}, {"refit", {}}};
 };
 
-bool is_unknown(json const& answer, Classes const& classes)
+std::string cause_of(CaseTruth const& truth)
 {
-    auto const& which = answer.at("which");
-    return classes.first() == "unknown" || which.at("verdict").get<std::string>().starts_with("unknown") ||
-           which.at("misfit").get<double>() > which.at("misfit_limit").get<double>();
+    switch (truth.kind) {
+    case CaseKind::none:
+        return "none";
+    case CaseKind::single:
+        return truth.effects.front();
+    case CaseKind::pair:
+        return "a pair";
+    case CaseKind::outside:
+        return "outside the list";
+    }
+    return {};
 }
 
 } // namespace
 
+std::string confusion_text(std::vector<AnsweredCase> const& cases)
+{
+    std::map<std::string, std::map<std::string, int>> counts;
+    for (auto const& [truth, answer] : cases)
+        ++counts[cause_of(truth)][answer.first()];
+    Report report;
+    report.line("cause", "what came first");
+    for (auto const& [cause, answers] : counts) {
+        std::string text;
+        for (auto const& [answer, count] : answers)
+            fmt::format_to(std::back_inserter(text), "{}{} {}", text.empty() ? "" : ", ", answer, count);
+        report.line(cause, text);
+    }
+    return report.take();
+}
+
 std::string score_text(std::vector<AnsweredCase> const& cases)
 {
-    Share first, in_group, named, false_first, false_named, flagged, misnamed, one_of_pair, both_of_pair;
-    std::vector<double> closures;
-    double brier = 0, logs = 0;
-    SimplerRules rules;
-    SaidAndTrue said;
+    AllSingles singles;
+    Others others;
     Locations locations;
+    Closures closures;
+    Probabilities probabilities;
+    SimplerRules rules;
     for (auto const& [truth, answer] : cases) {
-        auto const classes = classes_of(answer);
-        auto const top = classes.first();
-        std::string const right = truth.kind == CaseKind::none      ? "none"
-                                  : truth.kind == CaseKind::outside ? "unknown"
-                                                                    : truth.effects.front();
-        double p_truth = 0;
-        for (std::size_t k = 0; k < classes.names.size(); ++k) {
-            bool const is_right = classes.names[k] == right ||
-                                  (truth.kind == CaseKind::pair && classes.names[k] == truth.effects[1]);
-            p_truth += is_right ? classes.probabilities[k] : 0;
-            brier += std::pow(classes.probabilities[k] - (classes.names[k] == right ? 1 : 0), 2);
-        }
+        others.add(truth, answer);
         locations.add(truth, answer);
-        said.add(classes, truth.kind == CaseKind::pair ? truth.effects : std::vector{right});
+        probabilities.add(truth, answer);
         if (truth.kind == CaseKind::none || truth.kind == CaseKind::single)
-            rules.add(answer, right);
-        logs -= std::log(std::max(p_truth, 1e-12));
-        switch (truth.kind) {
-        case CaseKind::none:
-            false_first.add(top != "none");
-            false_named.add(names_anything(answer));
-            break;
-        case CaseKind::single:
-            first.add(top == right);
-            in_group.add(first_in_group(answer, top, right));
-            named.add(names(answer, right));
-            break;
-        case CaseKind::pair:
-            one_of_pair.add(top == truth.effects[0] || top == truth.effects[1]);
-            both_of_pair.add(names(answer, truth.effects[0]) && names(answer, truth.effects[1]));
-            break;
-        case CaseKind::outside:
-            flagged.add(is_unknown(answer, classes));
-            misnamed.add(names_anything(answer));
-            break;
+            rules.add(truth, answer);
+        if (truth.kind == CaseKind::single) {
+            singles.add(truth, answer);
+            closures.add(truth, answer);
         }
-        if (truth.kind == CaseKind::single && !answer.at("how_far").is_null())
-            for (auto const& effect : answer.at("how_far").at("effects"))
-                if (effect.at("effect") == right && effect.at("closure").is_number())
-                    closures.push_back(effect.at("closure"));
     }
-    std::sort(closures.begin(), closures.end());
-    std::string text;
-    auto const line = [&](char const* what, std::string const& value) {
-        fmt::format_to(std::back_inserter(text), "{:<52} {}\n", what, value);
-    };
-    line("cases", std::to_string(cases.size()));
-    line("single effect: right cause first", first.text());
-    line("single effect: in its group", in_group.text());
-    line("single effect: named, alone or in a group", named.text());
-    line("none: another answer first", false_first.text());
-    line("none: something named", false_named.text());
-    line("outside the list: flagged unknown", flagged.text());
-    line("outside the list: something named", misnamed.text());
-    line("pairs: one of them first", one_of_pair.text());
-    line("pairs: both named", both_of_pair.text());
-    line("located: cells beyond the floor", locations.text());
-    line("closure of the right single effect, median",
-         closures.empty() ? "no case" : fmt::format("{:.2f}", closures[closures.size() / 2]));
-    if (!cases.empty()) {
-        line("Brier score", fmt::format("{:.3f}", brier / static_cast<double>(cases.size())));
-        line("log score", fmt::format("{:.3f}", logs / static_cast<double>(cases.size())));
-    }
-    line("probability said: share that came true", said.text());
-    for (auto const& [rule, share] : rules.shares)
-        line(("none or a single effect right by the rule: " + rule).c_str(), share.text());
-    return text;
+    Report report;
+    report.line("cases", std::to_string(cases.size()));
+    singles.report(report);
+    others.report(report);
+    locations.report(report);
+    closures.report(report);
+    probabilities.report(report);
+    rules.report(report);
+    return report.take();
 }
 
 } // namespace demens::gap

@@ -73,7 +73,7 @@ with tempfile.TemporaryDirectory() as folder:
         assert any("runs are taken from bank.h5" in note for note in json.load(open(f"blind/cases/{name}/answer.json"))["notes"])
     scores = run(demens, "gap", "rehearse", "score", "rehearsal")
     print(scores)
-    assert "single effect: right cause first" in scores and "Brier score" in scores and "right by the rule: cosine" in scores, scores
+    assert "single effect: right cause first" in scores and "Brier score" in scores and "right by the rule cosine" in scores, scores
     assert "located: cells beyond the floor" in scores and " of them moved" in scores, scores
     # what is drawn is new each time, so that the scores themselves are not for a test
 
