@@ -85,7 +85,7 @@ class AllSingles
     {
         auto const& effect = truth.effects.front();
         all_.add(answer, effect);
-        by_strength_[truth.strengths.front()].add(answer, effect);
+        by_strength_[std::abs(truth.strengths.front())].add(answer, effect);
         auto const distance = answer.stands_out(truth);
         (distance && *distance >= least_distance ? detectable_ : hidden_).add(answer, effect);
     }

@@ -97,9 +97,9 @@ TEST(Scores, AreThoseOfTheCases)
     auto const add = [&](gap::CaseTruth const& truth, json const& document) {
         cases.push_back({truth, gap::CaseAnswer(document)});
     };
-    add(truth(single, {"wet"}, {0.4}, 2), document(0.1, 0.9, 0, 0, 0));   // named
-    add(truth(single, {"wet"}, {0.1}, 0.5), document(0.6, 0.4, 0, 0, 0)); // not seen
-    add(truth(single, {"rough"}, {1.0}), document(0.1, 0.5, 0.4, 0, 0));  // in its group
+    add(truth(single, {"wet"}, {0.4}, 2), document(0.1, 0.9, 0, 0, 0));     // named
+    add(truth(single, {"wet"}, {-0.1}, -0.5), document(0.6, 0.4, 0, 0, 0)); // not seen
+    add(truth(single, {"rough"}, {1.0}), document(0.1, 0.5, 0.4, 0, 0));    // in its group
     add(truth(none), document(1, 0, 0, 0, 0));
     add(truth(none), document(0, 1, 0, 0, 0)); // a false alarm
     add(truth(pair, {"wet", "rough"}, {0.2, 1}), document(0, 0.1, 0.1, 0.8, 0));
