@@ -4,7 +4,6 @@
 #include "gap/statistics/score.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
@@ -211,43 +210,45 @@ class Probabilities
     void add(CaseTruth const& truth, CaseAnswer const& answer)
     {
         auto const right = right_classes(truth);
-        double p_right = 0;
-        for (std::size_t k = 0; k < answer.classes().size(); ++k) {
-            double const said = answer.probabilities()[k];
-            bool const is_right = std::find(right.begin(), right.end(), answer.classes()[k]) != right.end();
-            p_right += is_right ? said : 0;
-            brier_ += std::pow(said - (is_right ? 1.0 / static_cast<double>(right.size()) : 0), 2);
-            auto& bin = bins_[static_cast<std::size_t>(std::clamp(said * bins, 0.0, bins - 1.0))];
-            bin.said += said, ++bin.count, bin.came_true += is_right;
-        }
-        logs_ -= std::log(std::max(p_right, 1e-12));
-        ++cases_;
+        auto& row = cases_.emplace_back();
+        for (std::size_t k = 0; k < answer.classes().size(); ++k)
+            row[place_of(answer.classes()[k])].said = answer.probabilities()[k];
+        for (auto const& name : right)
+            row[place_of(name)].true_share = 1.0 / static_cast<double>(right.size());
     }
     void report(Report& to) const
     {
-        if (cases_ == 0)
+        if (cases_.empty())
             return;
-        to.line("Brier score", fmt::format("{:.3f}", brier_ / cases_));
-        to.line("log score", fmt::format("{:.3f}", logs_ / cases_));
+        auto const shape = [&] {
+            return Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(cases_.size()),
+                                         static_cast<Eigen::Index>(places_.size()));
+        };
+        Eigen::MatrixXd said = shape(), truths = shape();
+        for (Eigen::Index i = 0; i < said.rows(); ++i)
+            for (auto const& [place, entry] : cases_[static_cast<std::size_t>(i)])
+                said(i, place) = entry.said, truths(i, place) = entry.true_share;
+        to.line("Brier score", fmt::format("{:.3f}", brier_score(said, truths)));
+        to.line("log score", fmt::format("{:.3f}", log_score(said, truths)));
         std::string text;
-        for (auto const& bin : bins_)
-            if (bin.count > 0)
+        for (auto const& bin : reliability(said, truths, 5))
+            if (bin.cases > 0)
                 fmt::format_to(std::back_inserter(text), "{}{:.2f}: {:.2f} of {}", text.empty() ? "" : ", ",
-                               bin.said / bin.count, static_cast<double>(bin.came_true) / bin.count,
-                               bin.count);
+                               bin.said, bin.happened, bin.cases);
         to.line("probability said: share that came true", text);
     }
 
   private:
-    static constexpr int bins = 5;
-    struct Bin
+    struct Entry
     {
-        double said = 0;
-        int count = 0, came_true = 0;
+        double said = 0, true_share = 0;
     };
-    std::array<Bin, bins> bins_;
-    double brier_ = 0, logs_ = 0;
-    int cases_ = 0;
+    Eigen::Index place_of(std::string const& name)
+    {
+        return places_.try_emplace(name, static_cast<Eigen::Index>(places_.size())).first->second;
+    }
+    std::map<std::string, Eigen::Index> places_; //!< of all classes: not every effect is on every list
+    std::vector<std::map<Eigen::Index, Entry>> cases_;
 };
 
 //! What simpler rules would have said where nothing or one effect acts, beside the diagnosis.

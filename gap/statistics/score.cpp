@@ -11,15 +11,16 @@
 namespace demens::gap {
 namespace {
 
-void check(Eigen::MatrixXd const& probabilities, std::vector<int> const& truths)
+void check(Eigen::MatrixXd const& probabilities, Eigen::MatrixXd const& truths)
 {
-    if (truths.empty() || probabilities.rows() != static_cast<Eigen::Index>(truths.size()))
-        throw InputError(fmt::format("{} rows of probabilities for {} truths: give one for each case, and at "
-                                     "least one case",
-                                     probabilities.rows(), truths.size()));
-    for (int truth : truths)
-        if (truth < 0 || truth >= probabilities.cols())
-            throw InputError(fmt::format("a truth is class {} of {}", truth, probabilities.cols()));
+    if (truths.rows() < 1 || probabilities.rows() != truths.rows() || probabilities.cols() != truths.cols())
+        throw InputError(fmt::format("{} x {} probabilities for {} x {} truths: give a row of each for each "
+                                     "case, and at least one case",
+                                     probabilities.rows(), probabilities.cols(), truths.rows(),
+                                     truths.cols()));
+    for (Eigen::Index i = 0; i < truths.rows(); ++i)
+        if (!(truths.row(i).minCoeff() >= 0) || std::abs(truths.row(i).sum() - 1) > 1e-12)
+            throw InputError(fmt::format("the truths of case {} must be shares that sum to 1", i));
 }
 
 //! The x at which I_x(a, b) reaches a probability.
@@ -35,25 +36,20 @@ double beta_quantile(double a, double b, double probability)
 
 } // namespace
 
-double brier_score(Eigen::MatrixXd const& probabilities, std::vector<int> const& truths)
+double brier_score(Eigen::MatrixXd const& probabilities, Eigen::MatrixXd const& truths)
 {
     check(probabilities, truths);
-    Eigen::MatrixXd off = probabilities;
-    for (std::size_t i = 0; i < truths.size(); ++i)
-        off(static_cast<int>(i), truths[i]) -= 1;
-    return off.squaredNorm() / static_cast<double>(truths.size());
+    return (probabilities - truths).squaredNorm() / static_cast<double>(truths.rows());
 }
 
-double log_score(Eigen::MatrixXd const& probabilities, std::vector<int> const& truths)
+double log_score(Eigen::MatrixXd const& probabilities, Eigen::MatrixXd const& truths)
 {
     check(probabilities, truths);
-    double sum = 0;
-    for (std::size_t i = 0; i < truths.size(); ++i)
-        sum -= std::log(std::max(probabilities(static_cast<int>(i), truths[i]), 1e-12));
-    return sum / static_cast<double>(truths.size());
+    Eigen::ArrayXd const right = (truths.array() > 0).select(probabilities.array(), 0).rowwise().sum();
+    return -right.max(1e-12).log().mean();
 }
 
-std::vector<ReliabilityBin> reliability(Eigen::MatrixXd const& probabilities, std::vector<int> const& truths,
+std::vector<ReliabilityBin> reliability(Eigen::MatrixXd const& probabilities, Eigen::MatrixXd const& truths,
                                         int bins)
 {
     check(probabilities, truths);
@@ -66,7 +62,7 @@ std::vector<ReliabilityBin> reliability(Eigen::MatrixXd const& probabilities, st
             auto& bin = found[std::clamp(static_cast<int>(p * bins), 0, bins - 1)];
             ++bin.cases;
             bin.said += p;
-            bin.happened += truths[i] == k;
+            bin.happened += truths(i, k) > 0;
         }
     for (auto& bin : found) {
         double const share = bin.cases > 0 ? 1. / bin.cases : std::numeric_limits<double>::quiet_NaN();

@@ -8,20 +8,21 @@
 namespace demens::gap {
 
 //! Multiclass Brier score: mean over cases of the sum over classes of (P - truth)^2; 0 is best, 2 worst.
-//! \param probabilities [cases x classes] \param truths class of each case
-double brier_score(Eigen::MatrixXd const& probabilities, std::vector<int> const& truths);
-//! Mean of -ln P(truth); P below 1e-12 counts as that.
-double log_score(Eigen::MatrixXd const& probabilities, std::vector<int> const& truths);
+//! \param probabilities [cases x classes] \param truths [cases x classes] 1 for the class of a case; where
+//! several are right, their shares, 1 together
+double brier_score(Eigen::MatrixXd const& probabilities, Eigen::MatrixXd const& truths);
+//! Mean of -ln P(any class that is right); P below 1e-12 counts as that.
+double log_score(Eigen::MatrixXd const& probabilities, Eigen::MatrixXd const& truths);
 
 struct ReliabilityBin
 {
     double lower, upper; //!< of the probability said
     int cases;           //!< pairs of case and class
     double said;         //!< mean probability said; NaN without cases
-    double happened;     //!< share of them that were true; NaN without cases
+    double happened;     //!< share of them that were right; NaN without cases
 };
 //! Of every class of every case.
-std::vector<ReliabilityBin> reliability(Eigen::MatrixXd const& probabilities, std::vector<int> const& truths,
+std::vector<ReliabilityBin> reliability(Eigen::MatrixXd const& probabilities, Eigen::MatrixXd const& truths,
                                         int bins = 10);
 
 //! Interval of a share by Clopper and Pearson (Biometrika 26:404, 1934): exact, so rather too wide.

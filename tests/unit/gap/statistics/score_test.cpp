@@ -27,15 +27,23 @@ TEST(Scores, ByHand)
 {
     Eigen::MatrixXd p(2, 3);
     p << 0.7, 0.2, 0.1, 0, 0.5, 0.5;
-    EXPECT_NEAR(brier_score(p, {0, 2}), (0.09 + 0.04 + 0.01 + 0.25 + 0.25) / 2, 1e-14);
-    EXPECT_NEAR(log_score(p, {0, 2}), -(std::log(0.7) + std::log(0.5)) / 2, 1e-14);
-    EXPECT_NEAR(log_score(p, {0, 0}), -(std::log(0.7) + std::log(1e-12)) / 2, 1e-9);
-    auto const bins = reliability(p, {0, 2}, 2); // below .5: .2 .1 0; from it: .7 .5 .5
+    Eigen::MatrixXd first_and_last(2, 3), first(2, 3), one_or_both(2, 3);
+    first_and_last << 1, 0, 0, 0, 0, 1;
+    first << 1, 0, 0, 1, 0, 0;
+    one_or_both << 1, 0, 0, 0, 0.5, 0.5;
+    EXPECT_NEAR(brier_score(p, first_and_last), (0.09 + 0.04 + 0.01 + 0.25 + 0.25) / 2, 1e-14);
+    EXPECT_NEAR(brier_score(p, one_or_both), (0.09 + 0.04 + 0.01) / 2, 1e-14);
+    EXPECT_NEAR(log_score(p, first_and_last), -(std::log(0.7) + std::log(0.5)) / 2, 1e-14);
+    EXPECT_NEAR(log_score(p, one_or_both), -std::log(0.7) / 2, 1e-14);
+    EXPECT_NEAR(log_score(p, first), -(std::log(0.7) + std::log(1e-12)) / 2, 1e-9);
+    EXPECT_EQ(message([&] { brier_score(p, 2 * first); }),
+              "the truths of case 0 must be shares that sum to 1");
+    auto const bins = reliability(p, first_and_last, 2); // below .5: .2 .1 0; from it: .7 .5 .5
     EXPECT_EQ(bins[0].cases, 3);
     EXPECT_NEAR(bins[0].said, 0.1, 1e-14);
     EXPECT_EQ(bins[0].happened, 0);
     EXPECT_NEAR(bins[1].happened, 2. / 3, 1e-14);
-    EXPECT_TRUE(std::isnan(reliability(p, {0, 2}, 10)[9].said));
+    EXPECT_TRUE(std::isnan(reliability(p, first_and_last, 10)[9].said));
     auto const found = location_score({true, true, false, false}, {true, false, true, false});
     EXPECT_EQ(found.f1, 0.5);
     EXPECT_EQ(location_score({false}, {false}).f1, 1);
