@@ -190,6 +190,7 @@ struct GapOptions
     int effects_in_full = 3;    //!< effects whose signatures are simulated in full, the most probable ones
     int runs = 2000;            //!< most runs of the diagnosis
     double named_from = 0.8;    //!< probability from which on an effect is named
+    double temperature = 1;     //!< ln of evidence is divided by it
 };
 
 //! What `rig = "..."` in a campaign may name.

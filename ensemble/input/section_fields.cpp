@@ -190,6 +190,13 @@ std::vector<Field<GapOptions>> const& fields_of()
                                         .doc = "probability from which on an effect is named [-]",
                                         .lower = 0.5,
                                         .upper = 1}),
+        field(&GapOptions::temperature,
+              {.key = "temperature",
+               .doc =
+                   "by which ln of the evidence of each explanation is divided: above 1 where probabilities "
+                   "were too sure in a rehearsal [-]",
+               .lower = 0.2,
+               .upper = 20}),
     };
     return fields;
 }

@@ -25,6 +25,13 @@ AttributeOptions attribute_options(ensemble::CampaignInput const& input)
     return options;
 }
 
+HypothesisOptions hypothesis_options(ensemble::CampaignInput const& input)
+{
+    HypothesisOptions options;
+    options.temperature = input.gap.value_or(ensemble::GapOptions{}).temperature;
+    return options;
+}
+
 } // namespace
 
 Diagnosis::Diagnosis(ensemble::Campaign const& campaign, Centre centre)
@@ -32,7 +39,7 @@ Diagnosis::Diagnosis(ensemble::Campaign const& campaign, Centre centre)
       projection_(campaign_.evidence, floor_.total()),
       groups_(named_groups(campaign_.evidence.cells, campaign.input)),
       locator_(campaign_.evidence, projection_, groups_),
-      hypotheses_(campaign_.evidence, projection_, campaign_.signatures),
+      hypotheses_(campaign_.evidence, projection_, campaign_.signatures, hypothesis_options(campaign.input)),
       attributor_(campaign_.evidence, projection_, locator_, hypotheses_, attribute_options(campaign.input)),
       located_(locator_.locate(campaign_.evidence.residual())),
       attribution_(attributor_.attribute(campaign_.evidence.residual()))

@@ -165,10 +165,10 @@ void write_assumed(std::string& text, Diagnosis const& found, Campaign const& ca
     fmt::format_to(
         to,
         "Assumed: form_floor {:g} of a response; form_error {:g} of a signature; priors none {:g}, one "
-        "effect {:g}, two {:g}, unknown {:g}; named from P {:g}; factors anywhere between their "
-        "bounds\n",
+        "effect {:g}, two {:g}, unknown {:g}; temperature {:g}; named from P {:g}; factors anywhere between "
+        "their bounds\n",
         options.form_floor, options.form_error, hypotheses.prior_none, hypotheses.prior_single,
-        hypotheses.prior_pairs, hypotheses.prior_unknown, options.named_from);
+        hypotheses.prior_pairs, hypotheses.prior_unknown, hypotheses.temperature, options.named_from);
     for (auto const& note : found.campaign().notes)
         fmt::format_to(to, "  {}\n", note);
 }

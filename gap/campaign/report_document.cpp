@@ -164,6 +164,7 @@ nlohmann::json gap_document(Campaign const& campaign)
           {"prior_single", hypotheses.prior_single},
           {"prior_pairs", hypotheses.prior_pairs},
           {"prior_unknown", hypotheses.prior_unknown},
+          {"temperature", hypotheses.temperature},
           {"named_from", options.named_from}}},
         {"notes", found.campaign().notes}};
 }

@@ -22,6 +22,18 @@ std::optional<double> number_or_none(json const& value)
 
 } // namespace
 
+std::vector<std::string> right_classes(CaseTruth const& truth)
+{
+    switch (truth.kind) {
+    case CaseKind::none:
+        return {"none"};
+    case CaseKind::outside:
+        return {"unknown"};
+    default:
+        return truth.effects;
+    }
+}
+
 CaseAnswer::CaseAnswer(json document)
     : document_(std::move(document)), classes_{"none", "unknown"}, probabilities_{
                                                                        document_.at("which").at("none"),
@@ -44,6 +56,28 @@ std::string const& CaseAnswer::first() const
 {
     return classes_[static_cast<std::size_t>(std::max_element(probabilities_.begin(), probabilities_.end()) -
                                              probabilities_.begin())];
+}
+
+std::optional<JudgedCase> CaseAnswer::judged(CaseTruth const& truth) const
+{
+    auto const& list = document_.at("which").at("hypotheses");
+    auto const assumed = document_.value("assumed", json::object());
+    double const temperature = assumed.value("temperature", 1.0); // packed answers are without it
+    auto right = right_classes(truth);
+    std::sort(right.begin(), right.end());
+    JudgedCase judged{Eigen::VectorXd(list.size()), Eigen::VectorXd(list.size()), -1};
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        auto const place = static_cast<Eigen::Index>(i);
+        double const evidence = list[i].at("log_bayes_factor");
+        judged.log_evidences[place] = evidence;
+        judged.log_priors[place] =
+            std::log(std::max(list[i].at("probability").get<double>(), 1e-300)) - evidence / temperature;
+        auto effects = list[i].at("effects").get<std::vector<std::string>>();
+        std::sort(effects.begin(), effects.end());
+        if (effects == right)
+            judged.truth = static_cast<int>(i);
+    }
+    return judged.truth < 0 ? std::nullopt : std::optional(judged);
 }
 
 std::string CaseAnswer::verdict() const

@@ -1,12 +1,16 @@
 #pragma once
 
 #include "gap/rehearsal/truth.hpp"
+#include "gap/statistics/temperature.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace demens::gap {
+
+//! Classes of an answer that are right: one, of a pair both.
+std::vector<std::string> right_classes(CaseTruth const& truth);
 
 //! How far an effect closed the gap of what was held out, as an answer has it.
 struct AnsweredClosure
@@ -27,6 +31,8 @@ class CaseAnswer
     //! In the order of the classes.
     std::vector<double> const& probabilities() const { return probabilities_; }
     std::string const& first() const; //!< the most probable class
+    //! Of all its hypotheses. None where the truth is not among them.
+    std::optional<JudgedCase> judged(CaseTruth const& truth) const;
     std::string verdict() const;
 
     bool names_anything() const;

@@ -46,19 +46,6 @@ class Report
     std::string text_;
 };
 
-//! Classes of an answer that are right: one, of a pair both.
-std::vector<std::string> right_classes(CaseTruth const& truth)
-{
-    switch (truth.kind) {
-    case CaseKind::none:
-        return {"none"};
-    case CaseKind::outside:
-        return {"unknown"};
-    default:
-        return truth.effects;
-    }
-}
-
 //! Single effects of one kind.
 struct Singles
 {
@@ -251,6 +238,36 @@ class Probabilities
     std::vector<std::map<Eigen::Index, Entry>> cases_;
 };
 
+//! Whether probabilities were too sure: by cases whose cause is on the list, and by all.
+class Temperatures
+{
+  public:
+    void add(CaseTruth const& truth, CaseAnswer const& answer)
+    {
+        auto const judged = answer.judged(truth);
+        if (!judged)
+            return;
+        all_.push_back(*judged);
+        if (truth.kind != CaseKind::outside)
+            listed_.push_back(*judged);
+    }
+    void report(Report& to) const
+    {
+        to.line("temperature that suits causes of the list", text(listed_));
+        to.line("temperature that suits all cases", text(all_));
+    }
+
+  private:
+    static std::string text(std::vector<JudgedCase> const& cases)
+    {
+        if (cases.empty())
+            return "no case";
+        auto const [best, lower, upper] = best_temperature(cases);
+        return fmt::format("{:.2g} ({:.2g} to {:.2g}) of {}", best, lower, upper, cases.size());
+    }
+    std::vector<JudgedCase> listed_, all_;
+};
+
 //! What simpler rules would have said where nothing or one effect acts, beside the diagnosis.
 class SimplerRules
 {
@@ -314,11 +331,13 @@ std::string score_text(std::vector<AnsweredCase> const& cases)
     Locations locations;
     Closures closures;
     Probabilities probabilities;
+    Temperatures temperatures;
     SimplerRules rules;
     for (auto const& [truth, answer] : cases) {
         others.add(truth, answer);
         locations.add(truth, answer);
         probabilities.add(truth, answer);
+        temperatures.add(truth, answer);
         if (truth.kind == CaseKind::none || truth.kind == CaseKind::single)
             rules.add(truth, answer);
         if (truth.kind == CaseKind::single) {
@@ -333,6 +352,7 @@ std::string score_text(std::vector<AnsweredCase> const& cases)
     locations.report(report);
     closures.report(report);
     probabilities.report(report);
+    temperatures.report(report);
     rules.report(report);
     return report.take();
 }

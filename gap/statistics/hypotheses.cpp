@@ -127,12 +127,7 @@ Eigen::VectorXd Hypotheses::log_evidences(Eigen::VectorXd const& residual) const
 
 Eigen::VectorXd Hypotheses::probabilities(Eigen::VectorXd const& log_evidences) const
 {
-    return probabilities(log_evidences, options_.temperature);
-}
-
-Eigen::VectorXd Hypotheses::probabilities(Eigen::VectorXd const& log_evidences, double temperature) const
-{
-    return normalised(log_evidences / temperature + priors_.array().log().matrix());
+    return normalised(log_evidences / options_.temperature + priors_.array().log().matrix());
 }
 
 AmplitudePosterior Hypotheses::posterior(int hypothesis, Eigen::VectorXd const& residual) const

@@ -3,8 +3,6 @@
 #include "gap/statistics/amplitude_integral.hpp"
 #include "gap/statistics/projection.hpp"
 
-#include <cstdint>
-
 namespace demens::gap {
 
 //! What may have made the residuals: nothing but the floor, one effect, two, or something that no effect
@@ -56,7 +54,6 @@ class Hypotheses
     Eigen::VectorXd log_evidences(Eigen::VectorXd const& residual) const;
     //! Of each, given ln of their densities; at the temperature of the options.
     Eigen::VectorXd probabilities(Eigen::VectorXd const& log_evidences) const;
-    Eigen::VectorXd probabilities(Eigen::VectorXd const& log_evidences, double temperature) const;
     //! Of a hypothesis with effects.
     AmplitudePosterior posterior(int hypothesis, Eigen::VectorXd const& residual) const;
     //! Where it is unknown there is none.
@@ -75,14 +72,5 @@ class Hypotheses
 //! [K] given [n x n].
 Eigen::MatrixXd covariance_with(Evidence const& evidence, Eigen::MatrixXd const& floor,
                                 std::vector<Signature> const& effects, Eigen::VectorXd const& squares);
-
-//! The temperature between 0.2 and 20 at which the truths of twins are most probable: the score sums ln
-//! P(truth). \param log_evidences [twins][hypotheses] \param truths places in the list of hypotheses [twins]
-double best_temperature(Hypotheses const& hypotheses, std::vector<Eigen::VectorXd> const& log_evidences,
-                        std::vector<int> const& truths);
-
-//! Draws twins from hypotheses by their priors and finds the temperature. \throws InputError below 200 twins
-double fit_temperature(Evidence const& evidence, Projection const& projection, Hypotheses const& hypotheses,
-                       int twins, std::uint64_t seed);
 
 } // namespace demens::gap

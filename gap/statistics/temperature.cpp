@@ -1,7 +1,9 @@
+#include "gap/statistics/temperature.hpp"
+
 #include "demens/base/error.hpp"
 #include "demens/base/random.hpp"
+#include "gap/statistics/gaussian.hpp"
 #include "gap/statistics/golden_section.hpp"
-#include "gap/statistics/hypotheses.hpp"
 #include "gap/statistics/twins.hpp"
 
 #include <cmath>
@@ -9,17 +11,33 @@
 
 namespace demens::gap {
 
-double best_temperature(Hypotheses const& hypotheses, std::vector<Eigen::VectorXd> const& log_evidences,
-                        std::vector<int> const& truths)
+Temperature best_temperature(std::vector<JudgedCase> const& cases)
 {
-    auto score = [&](double log_temperature) {
+    if (cases.empty())
+        throw InputError("the temperature is fitted to cases whose truth is known: there is none");
+    auto const score = [&](double log_temperature) {
         double sum = 0;
-        for (std::size_t i = 0; i < truths.size(); ++i)
+        for (auto const& one : cases)
             sum += std::log(std::max(
-                hypotheses.probabilities(log_evidences[i], std::exp(log_temperature))[truths[i]], 1e-300));
+                normalised(one.log_evidences / std::exp(log_temperature) + one.log_priors)[one.truth],
+                1e-300));
         return sum;
     };
-    return std::exp(argmax_between(std::log(0.2), std::log(20.0), 1e-3, score));
+    double const least = std::log(0.2), most = std::log(20.0);
+    double const best = argmax_between(least, most, 1e-3, score);
+    constexpr double half_of_chi_squared = 1.921; // 95 %, one degree of freedom
+    double const enough = score(best) - half_of_chi_squared;
+    auto const end = [&](double outwards) { // concave in 1 / temperature: it falls on either side
+        double inside = best, outside = outwards;
+        if (score(outside) >= enough)
+            return outside;
+        while (std::abs(outside - inside) > 1e-3) {
+            double const middle = 0.5 * (inside + outside);
+            (score(middle) >= enough ? inside : outside) = middle;
+        }
+        return inside;
+    };
+    return {std::exp(best), std::exp(end(least)), std::exp(end(most))};
 }
 
 double fit_temperature(Evidence const& evidence, Projection const& projection, Hypotheses const& hypotheses,
@@ -29,8 +47,8 @@ double fit_temperature(Evidence const& evidence, Projection const& projection, H
         throw InputError(
             fmt::format("the temperature is fitted to {} twins: at least 200 are needed", twins));
     Twins const made(evidence, projection.floor(), seed);
-    std::vector<Eigen::VectorXd> evidences;
-    std::vector<int> truths;
+    std::vector<JudgedCase> cases;
+    Eigen::VectorXd const log_priors = hypotheses.priors().array().log();
     for (int i = 0; i < twins; ++i) {
         RandomStream random(derive_seed(derive_seed(seed, 0x7e39), i));
         int truth = 0;
@@ -52,10 +70,9 @@ double fit_temperature(Evidence const& evidence, Projection const& projection, H
             }
             residual = made.with(effects, amplitudes, i);
         }
-        evidences.push_back(hypotheses.log_evidences(residual));
-        truths.push_back(truth);
+        cases.push_back({log_priors, hypotheses.log_evidences(residual), truth});
     }
-    return best_temperature(hypotheses, evidences, truths);
+    return best_temperature(cases).best;
 }
 
 } // namespace demens::gap

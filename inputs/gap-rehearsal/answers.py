@@ -28,7 +28,7 @@ def kept(answer):
         del effect["amplitude_meaning"]
     for effect in (answer["how_far"] or {"effects": []})["effects"]:
         del effect["cells"]
-    return {key: answer[key] for key in ("which", "where", "how_far", "simpler_rules")}
+    return {key: answer[key] for key in ("which", "where", "how_far", "simpler_rules", "assumed") if key in answer}
 
 
 def write_lines(name, cases):

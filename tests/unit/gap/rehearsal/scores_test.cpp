@@ -20,14 +20,16 @@ json document(double none, double wet, double rough, double both, double unknown
                     {"left_sigmas", left},      {"left_sigmas_curved", json::array()}};
     };
     auto const hypothesis = [](std::vector<std::string> const& effects, double probability) {
-        return json{{"effects", effects}, {"probability", probability}};
+        // all evidence counts alike: probabilities are priors
+        return json{{"effects", effects}, {"probability", probability}, {"log_bayes_factor", 0.0}};
     };
     return {{"which",
              {{"none", none},
               {"unknown", unknown},
               {"effects", {effect("wet", 0.2, {3, 3}, 0.25, {10, 2}), effect("rough", 1, {1, 0}, 0, {1, 0})}},
               {"hypotheses",
-               {hypothesis({"wet"}, wet), hypothesis({"rough"}, rough), hypothesis({"wet", "rough"}, both)}},
+               {hypothesis({"none"}, none), hypothesis({"wet"}, wet), hypothesis({"rough"}, rough),
+                hypothesis({"wet", "rough"}, both), hypothesis({"unknown"}, unknown)}},
               {"groups", {{{"effects", {"wet", "rough"}}}}},
               {"named", wet >= 0.8 ? json{"wet"} : json::array()},
               {"named_groups", json::array()},
@@ -72,6 +74,40 @@ TEST(CaseAnswer, APairCountsForBothByHalf)
     EXPECT_FALSE(answer.is_unknown());
     EXPECT_EQ(answer.by_rule("prior"), "none");
     EXPECT_EQ(answer.by_rule("refit"), "rough");
+}
+
+TEST(CaseAnswer, TellsPriorsAndEvidencesOfWhatIsTrue)
+{
+    auto said = document(0.1, 0.2, 0.3, 0.3, 0.1);
+    said["which"]["hypotheses"][3]["log_bayes_factor"] = 2.0;
+    gap::CaseAnswer const answer(said);
+    auto const pair = answer.judged(truth(gap::CaseKind::pair, {"rough", "wet"}, {1, 0.2})).value();
+    EXPECT_EQ(pair.truth, 3);
+    EXPECT_NEAR(pair.log_evidences[3], 2, 0);
+    EXPECT_NEAR(pair.log_priors[3], std::log(0.3) - 2, 1e-12);
+    EXPECT_EQ(answer.judged(truth(gap::CaseKind::outside, {"drag"}, {1}))->truth, 4);
+    EXPECT_EQ(answer.judged(truth(gap::CaseKind::none))->truth, 0);
+    EXPECT_FALSE(answer.judged(truth(gap::CaseKind::single, {"drag"}, {1})));
+    said["assumed"] = {{"temperature", 4.0}};
+    EXPECT_NEAR(gap::CaseAnswer(said).judged(truth(gap::CaseKind::none))->log_priors[3], std::log(0.3) - 0.5,
+                1e-12);
+}
+
+TEST(Scores, TellTheTemperatureThatSuits)
+{
+    // Even priors, "wet" said to be e^2 times as likely as each other: true in three of four cases.
+    double const one = 1 / (4 + std::exp(2.0));
+    auto said = document(one, std::exp(2.0) * one, one, one, one);
+    said["which"]["hypotheses"][1]["log_bayes_factor"] = 2.0;
+    std::vector<gap::AnsweredCase> cases;
+    for (int i = 0; i < 4; ++i)
+        cases.push_back({i == 0 ? truth(gap::CaseKind::none) : truth(gap::CaseKind::single, {"wet"}, {0.2}),
+                         gap::CaseAnswer(said)});
+    // e^(2/T) of e^(2/T) + 4 is three quarters
+    auto const text = gap::score_text(cases);
+    auto const at = text.find("temperature that suits causes of the list");
+    ASSERT_NE(at, std::string::npos) << text;
+    EXPECT_NE(text.find(" 0.8 (", at), std::string::npos) << text.substr(at); // 2 / ln 12 = 0.805
 }
 
 TEST(CaseAnswer, AnEffectStandsOutByWhatRecalibrationLeavesOfIt)

@@ -1,4 +1,5 @@
 #include "gap/statistics/attribute.hpp"
+#include "gap/statistics/temperature.hpp"
 #include "gap/statistics/twins.hpp"
 #include "tests/unit/gap/statistics/made_up_rigs.hpp"
 
@@ -157,17 +158,43 @@ TEST(Temperature, IsOneWhereTheModelIsRightAndMoreWhereItIsTooSure)
               "the temperature is fitted to 199 twins: at least 200 are needed");
     // Evidence said four times as strongly.
     Twins const twins(made.evidence, d.projection.floor(), 8);
-    std::vector<Eigen::VectorXd> once, fourfold;
-    std::vector<int> truths;
+    Eigen::VectorXd const priors = d.hypotheses.priors().array().log();
+    std::vector<JudgedCase> once, fourfold;
     for (int i = 0; i < 200; ++i) {
-        truths.push_back(1 + i % 4);
-        once.push_back(d.hypotheses.log_evidences(
-            twins.with({made.effects[i % 4]}, Eigen::VectorXd::Constant(1, 0.7), i)));
-        fourfold.push_back(4 * once.back());
+        once.push_back({priors,
+                        d.hypotheses.log_evidences(
+                            twins.with({made.effects[i % 4]}, Eigen::VectorXd::Constant(1, 0.7), i)),
+                        1 + i % 4});
+        fourfold.push_back(once.back());
+        fourfold.back().log_evidences *= 4;
     }
-    EXPECT_NEAR(best_temperature(d.hypotheses, fourfold, truths) /
-                    best_temperature(d.hypotheses, once, truths),
-                4, 0.05);
+    auto const right = best_temperature(once), too_sure = best_temperature(fourfold);
+    EXPECT_NEAR(too_sure.best / right.best, 4, 0.05);
+    EXPECT_NEAR(too_sure.lower / right.lower, 4, 0.05);
+    EXPECT_NEAR(too_sure.upper / right.upper, 4, 0.05);
+    EXPECT_LT(right.lower, right.best);
+    EXPECT_GT(right.upper, right.best);
+}
+
+TEST(Temperature, IsThatAtWhichSharesComeTrue)
+{
+    // Two hypotheses of even priors, the first said to be e^2 times as likely, which comes true in three of
+    // four cases: e^(2/T) = 3.
+    std::vector<JudgedCase> cases;
+    for (int i = 0; i < 40; ++i)
+        cases.push_back(
+            {Eigen::Vector2d::Constant(std::log(0.5)), Eigen::Vector2d(2, 0), i % 4 == 0 ? 1 : 0});
+    EXPECT_NEAR(best_temperature(cases).best, 2 / std::log(3), 2e-3);
+    // -2 ln of the likelihood ratio is 3.84 at both ends: 40 (H(.75, p) - H(.75)) with p = 1 / (1 +
+    // e^(-2/T)).
+    auto const loss = [](double temperature) {
+        double const p = 1 / (1 + std::exp(-2 / temperature));
+        return -80 * (0.75 * std::log(p / 0.75) + 0.25 * std::log((1 - p) / 0.25));
+    };
+    EXPECT_NEAR(loss(best_temperature(cases).lower), 3.84, 0.03);
+    EXPECT_NEAR(loss(best_temperature(cases).upper), 3.84, 0.03);
+    EXPECT_EQ(message([] { best_temperature({}); }),
+              "the temperature is fitted to cases whose truth is known: there is none");
 }
 
 TEST(Attribute, ToleratesEffectsThatDoNothingAndListsThatAreEmpty)
