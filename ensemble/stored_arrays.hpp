@@ -145,7 +145,7 @@ inline constexpr ArrayName region_90 = {
 inline constexpr ArrayName out_of_reach = {
     "optimum/out_of_reach",
     "mixed",
-    "by target, in its unit: how far it lies beyond what any run gave; 0: among them",
+    "by target, in its unit: how far it lies beyond the means of all points; 0: among them",
     {Extent::targets}};
 } // namespace optimum
 

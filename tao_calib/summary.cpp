@@ -248,10 +248,12 @@ void add_findings(std::string& out, Campaign const& campaign, Wave const& wave)
     if (auto const* distances = find(wave, stored::optimum::out_of_reach)) {
         for (std::size_t t = 0; t < distances->size(); ++t)
             if ((*distances)[t] != 0)
-                fmt::format_to(to,
-                               "  warning: no run reached the target of {}: it is {} all of them by {:.3g}\n",
-                               objective.targets()[t].name, (*distances)[t] > 0 ? "above" : "below",
-                               std::abs((*distances)[t]));
+                fmt::format_to(
+                    to,
+                    "  warning: no point, in the mean of its runs, reached the target of {}: it is {} all of "
+                    "them by {:.3g}\n",
+                    objective.targets()[t].name, (*distances)[t] > 0 ? "above" : "below",
+                    std::abs((*distances)[t]));
     }
 }
 

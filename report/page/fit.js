@@ -130,7 +130,7 @@ function targets_out_of_reach() {
     const subset = locations < complete_locations ? [element('p', {class: 'note'}, `The surrogates are fitted to ${locations} of `
         + `${complete_locations} locations, the best ones and others far apart; to all of them would take minutes.`)] : [];
     return same.concat(unused, subset, all_targets.filter((target) => distances[target.index]).map((target) => element('p', {class: 'bad'},
-        `No run reached the target of ${target.label}: it is ${distances[target.index] > 0 ? 'above' : 'below'} all of `
+        `No point, in the mean of its runs, reached the target of ${target.label}: it is ${distances[target.index] > 0 ? 'above' : 'below'} all of `
         + `them by ${number(Math.abs(distances[target.index]), 3)}.`)));
 }
 

@@ -95,7 +95,7 @@ void add_tradeoffs(Arrays& arrays, std::vector<Tradeoff> const& pairs)
     arrays.vector(stored::tradeoff::variance_removed, removed);
 }
 
-//! How far each target lies outside what all runs gave, 0 where it is among them.
+//! How far each target lies outside the means of all points, 0 where it is among them.
 VectorXd out_of_reach(Assessment const& assessment)
 {
     VectorXd distances = VectorXd::Zero(assessment.objective().size());
