@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -179,9 +180,10 @@ struct RunOptions
 //! `[gap]`: what is diagnosed once the campaign is calibrated.
 struct GapOptions
 {
-    std::vector<std::string> held_out;   //!< names of experiments
-    std::vector<std::string> candidates; //!< names of experiments that might be made next
-    std::vector<std::string> effects;    //!< of the catalogue or of the campaign; empty: all that it allows
+    std::vector<std::string> held_out;     //!< names of experiments
+    std::vector<std::string> candidates;   //!< names of experiments that might be made next
+    std::vector<std::string> effects;      //!< of the catalogue or of the campaign; empty: all that it allows
+    std::map<std::string, double> typical; //!< amplitudes of effects of the catalogue in place of its own
     bool diagnose = true;       //!< false: what is held out is compared with, and no effect is looked for
     double form_floor = 0.04;   //!< share of a response that the right model would miss, its laws being forms
     double form_error = 0.2;    //!< share of an effect's signature that another form of its law would change

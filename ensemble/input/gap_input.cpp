@@ -2,6 +2,7 @@
 
 #include "ensemble/input/input_options.hpp"
 #include "ensemble/input/nearest.hpp"
+#include "ensemble/input/option_defaults.hpp"
 #include "ensemble/input/section.hpp"
 
 #include <algorithm>
@@ -35,6 +36,15 @@ void give_role(InputTable const& table, char const* key, ExperimentRole role,
     }
 }
 
+std::map<std::string, double> amplitudes_of(InputTable const& table)
+{
+    std::map<std::string, double> amplitudes;
+    for (auto const& effect : table.keys())
+        amplitudes[effect] = std::get<double>(table.read_option(
+            {.key = effect, .default_value = 1.0, .doc = "typical amplitude", .lower = positive}));
+    return amplitudes;
+}
+
 //! Only of an experiment that is considered a value may be missing.
 void require_values(InputTable const& file, std::vector<Experiment> const& experiments)
 {
@@ -62,6 +72,7 @@ std::optional<GapOptions> read_gap(InputTable const& file, std::vector<Experimen
     gap.held_out = table.words("held_out");
     gap.effects = table.words("effects");
     gap.candidates = table.words("candidates");
+    gap.typical = amplitudes_of(table.table("typical"));
     give_role(table, "held_out", ExperimentRole::hold_out, experiments);
     give_role(table, "candidates", ExperimentRole::consider, experiments);
     if (std::none_of(experiments.begin(), experiments.end(),
@@ -69,7 +80,7 @@ std::optional<GapOptions> read_gap(InputTable const& file, std::vector<Experimen
         throw table.error(table.has("held_out") ? "held_out" : "candidates",
                           "names every experiment, so that none is left to calibrate on");
     if (!gap.diagnose)
-        for (auto const* key : {"effects", "candidates"})
+        for (auto const* key : {"effects", "candidates", "typical"})
             if (table.has(key))
                 throw table.error(key, "belongs to a diagnosis, and there is none with diagnose = false");
     if (!gap.diagnose && gap.held_out.empty())

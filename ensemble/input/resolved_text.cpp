@@ -238,6 +238,12 @@ void write_gap(Writer& out, GapOptions const& gap)
         lists["candidates"] = list(gap.candidates, quoted);
     if (!gap.effects.empty())
         lists["effects"] = list(gap.effects, quoted);
+    if (!gap.typical.empty()) {
+        std::vector<std::string> amplitudes;
+        for (auto const& [effect, amplitude] : gap.typical)
+            amplitudes.push_back(fmt::format("{} = {}", effect, number_text(amplitude)));
+        lists["typical"] = fmt::format("{{ {} }}", fmt::join(amplitudes, ", "));
+    }
     out.lists(gap_lists(), lists);
 }
 

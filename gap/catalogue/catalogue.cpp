@@ -6,18 +6,28 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
 
 namespace demens::gap {
 namespace {
 
 using ensemble::CampaignInput, ensemble::Effect;
 
-//! The entry as an effect of this campaign; without settings where it is not allowed or needs none.
-CandidateEffect candidate_of(CatalogueEntry const& entry, Setup const& setup)
+constexpr auto own_group = "own"; //!< of effects that the campaign brings
+
+std::map<std::string, double> typical_given(CampaignInput const& input)
 {
+    return input.gap ? input.gap->typical : std::map<std::string, double>{};
+}
+
+//! The entry as an effect of this campaign; without settings where it is not allowed or needs none.
+CandidateEffect candidate_of(CatalogueEntry const& entry, Setup const& setup, CampaignInput const& input)
+{
+    auto const given = typical_given(input);
+    auto const typical = given.find(entry.name);
     return {{.name = entry.name,
              .settings = entry.settings ? entry.settings(setup) : std::vector<ensemble::EffectSetting>{},
-             .typical = entry.typical,
+             .typical = typical == given.end() ? entry.typical : typical->second,
              .sign = entry.sign,
              .doc = entry.doc},
             word_for(entry.group),
@@ -80,7 +90,7 @@ std::vector<CandidateEffect> own_effects(CampaignInput const& input)
 {
     std::vector<CandidateEffect> own;
     for (auto const& effect : input.effects)
-        own.push_back({effect, "own", effect.doc.empty() ? "as its settings say" : effect.doc, nullptr});
+        own.push_back({effect, own_group, effect.doc.empty() ? "as its settings say" : effect.doc, nullptr});
     return own;
 }
 
@@ -105,12 +115,34 @@ std::vector<CandidateEffect> named_candidates(CampaignInput const& input, Setup 
         if (entry == catalogue().end())
             throw InputError(fmt::format("gap.effects: there is no effect \"{}\"; {}", name,
                                          ensemble::input::suggestion(name, names)));
-        candidates.push_back(candidate_of(*entry, setup));
+        candidates.push_back(candidate_of(*entry, setup, input));
         if (!is_possible(candidates.back(), input))
             throw InputError(fmt::format("gap.effects: \"{}\" changes nothing in this campaign: it needs {}",
                                          name, entry->keys));
     }
     return candidates;
+}
+
+//! \throws InputError when an amplitude is given of what is not looked at, or says its own
+void check_typical(std::vector<CandidateEffect> const& candidates, CampaignInput const& input)
+{
+    std::vector<std::string> names;
+    for (auto const& candidate : candidates)
+        if (candidate.group != own_group)
+            names.push_back(candidate.effect.name);
+    for (auto const& [name, amplitude] : typical_given(input)) {
+        if (std::find(names.begin(), names.end(), name) != names.end())
+            continue;
+        if (std::any_of(input.effects.begin(), input.effects.end(),
+                        [&](auto const& effect) { return effect.name == name; }))
+            throw InputError(
+                fmt::format("gap.typical.{0} = {1:g}: \"{0}\" is an effect of this campaign; give "
+                            "typical = {1:g} in its [[effect]]",
+                            name, amplitude));
+        throw InputError(fmt::format("gap.typical.{0} = {1:g}: \"{0}\" is not among the effects that are "
+                                     "looked at; {2}",
+                                     name, amplitude, ensemble::input::suggestion(name, names)));
+    }
 }
 
 } // namespace
@@ -165,7 +197,7 @@ std::vector<CandidateEffect> candidates_of(CampaignInput const& input)
     std::vector<CandidateEffect> candidates;
     if (all) {
         for (auto const& entry : catalogue())
-            if (auto candidate = candidate_of(entry, setup);
+            if (auto candidate = candidate_of(entry, setup, input);
                 is_possible(candidate, input) && refusal(candidate.effect, input).empty())
                 candidates.push_back(std::move(candidate));
         for (auto& candidate : own_effects(input))
@@ -174,12 +206,16 @@ std::vector<CandidateEffect> candidates_of(CampaignInput const& input)
         candidates = named_candidates(input, setup);
     }
     check_different(candidates);
+    check_typical(candidates, input);
     for (auto const& candidate : candidates)
         if (auto const reason = refusal(candidate.effect, input); !reason.empty())
             throw InputError(
-                fmt::format("the effect {} at its typical amplitude {} cannot be simulated: {}; give "
-                            "a smaller typical amplitude",
-                            candidate.effect.name, candidate.effect.typical, reason));
+                fmt::format("the effect {0} at its typical amplitude {1} cannot be simulated: {2}; give "
+                            "a smaller typical amplitude, {3}",
+                            candidate.effect.name, candidate.effect.typical, reason,
+                            candidate.group == own_group
+                                ? "typical = ... in its [[effect]]"
+                                : fmt::format("typical = {{ {} = ... }} in [gap]", candidate.effect.name)));
     return candidates;
 }
 

@@ -18,6 +18,7 @@ constexpr char const* effects = R"(
 held_out = ["drop"]
 effects = ["wet", "fill"]
 form_floor = 0.03
+typical = { drum_speed = 0.01, fill_mass = 0.15 }
 
 [[effect]]
 name = "wet"
@@ -79,6 +80,7 @@ TEST(EffectInput, ExperimentsThatAreHeldOutKeepTheirTargetsApart)
     ASSERT_EQ(input.experiments[1].held_out.size(), 1u);
     EXPECT_EQ(input.experiments[1].held_out[0].value, 0.4);
     EXPECT_EQ(input.gap->form_floor, 0.03);
+    EXPECT_EQ(input.gap->typical, (std::map<std::string, double>{{"drum_speed", 0.01}, {"fill_mass", 0.15}}));
     EXPECT_EQ(input.gap->packings, ensemble::GapOptions{}.packings);
 }
 
@@ -126,6 +128,10 @@ TEST(EffectInput, WhatIsWrongIsToldWithItsPlace)
         HasSubstr("gap.held_out = [ 'drip' ]: there is no experiment \"drip\"; did you mean \"drop\"?"));
     EXPECT_THAT(message_about(with("held_out = [\"drop\"]", "held_out = [\"drop\", \"bench\"]")),
                 HasSubstr("none is left to calibrate on"));
+    EXPECT_THAT(message_about(with("fill_mass = 0.15", "fill_mass = 0")),
+                HasSubstr("gap.typical.fill_mass = 0: "));
+    EXPECT_THAT(message_about(with("fill_mass = 0.15", "fill_mass = \"much\"")),
+                HasSubstr("must be a number"));
     EXPECT_THAT(message_about(good_campaign() + "\n[[effect]]\nname = \"a\"\n"),
                 HasSubstr("\"set\" is missing"));
     std::string const set = "set = [{ path = \"experiment.mass_kg\", per_unit = 1.0 }]\n";

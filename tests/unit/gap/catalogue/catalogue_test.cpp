@@ -259,6 +259,20 @@ TEST(Catalogue, EffectsOfMeasurementNeedNoSimulation)
     EXPECT_EQ(change("time_base", {"discharge_time_s", "s", 4}), 4);
 }
 
+TEST(Catalogue, AmplitudesMayBeThoseOfALaboratory)
+{
+    auto const candidates = candidates_of(CampaignInput::from_text(
+        campaign("[gap]\ntypical = { fill_mass = 0.15, camera_angle = 3 }\n"), "test"));
+    auto const typical = [&](std::string const& name) {
+        return std::find_if(candidates.begin(), candidates.end(),
+                            [&](auto const& c) { return c.effect.name == name; })
+            ->effect.typical;
+    };
+    EXPECT_EQ(typical("fill_mass"), 0.15);
+    EXPECT_EQ(typical("camera_angle"), 3);
+    EXPECT_EQ(typical("drum_speed"), candidate("drum_speed").effect.typical);
+}
+
 TEST(Catalogue, WhatCannotBeLookedAtIsRefused)
 {
     auto const refusal = [](std::string const& gap) -> std::string {
@@ -275,7 +289,15 @@ TEST(Catalogue, WhatCannotBeLookedAtIsRefused)
         "[[effect]]\nname = \"more\"\nset = [{ path = \"experiment.tilt_deg\", per_unit = 1.0 }]\n";
     EXPECT_EQ(refusal("[gap]\neffects = [\"more\"]\n" + own), "");
     EXPECT_THAT(refusal("[gap]\n" + own + "typical = 100.0\n"),
-                HasSubstr("give a smaller typical amplitude"));
+                HasSubstr("give a smaller typical amplitude, typical = ... in its [[effect]]"));
+    EXPECT_THAT(refusal("[gap]\neffects = [\"drum_tilt\"]\ntypical = { drum_tilt = 100 }\n"),
+                HasSubstr("give a smaller typical amplitude, typical = { drum_tilt = ... } in [gap]"));
+    EXPECT_THAT(refusal("[gap]\ntypical = { drum_tilts = 1 }\n"), HasSubstr("did you mean \"drum_tilt\"?"));
+    EXPECT_THAT(
+        refusal("[gap]\neffects = [\"lean\"]\ntypical = { drum_tilt = 1 }\n"),
+        HasSubstr("gap.typical.drum_tilt = 1: \"drum_tilt\" is not among the effects that are looked at"));
+    EXPECT_THAT(refusal("[gap]\ntypical = { more = 2 }\n" + own),
+                HasSubstr("is an effect of this campaign; give typical = 2 in its [[effect]]"));
     EXPECT_THAT(
         refusal("[gap]\n[[effect]]\nname = \"wall_friction\"\nset = [{ path = \"experiment.tilt_deg\", "
                 "per_unit = 1.0 }]\n"),
