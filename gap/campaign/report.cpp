@@ -106,10 +106,11 @@ void write_how_far(std::string& text, Diagnosis const& found, std::optional<Camp
         return;
     }
     auto const& before = closure->effects.front().closure.before;
-    fmt::format_to(
-        to, "How far: on {} held-out cells the calibrated model misses by {:.2f} of the floor's square{}\n",
-        closure->cells.size(), before.square,
-        before.at_floor() ? ": at noise floor, there is no gap to close" : "");
+    fmt::format_to(to,
+                   "How far: on {} held-out cells the base model, fitted again, misses by {:.2f} of the "
+                   "floor's square{}\n",
+                   closure->cells.size(), before.square,
+                   before.at_floor() ? ": at noise floor, there is no gap to close" : "");
     for (auto const& effect : closure->effects) {
         auto const& name = found.effects()[static_cast<std::size_t>(effect.effect)].name;
         if (effect.closure.at_floor)
