@@ -134,7 +134,7 @@ void check_typical(std::vector<CandidateEffect> const& candidates, CampaignInput
         if (std::find(names.begin(), names.end(), name) != names.end())
             continue;
         if (std::any_of(input.effects.begin(), input.effects.end(),
-                        [&](auto const& effect) { return effect.name == name; }))
+                        [&, &own = name](auto const& effect) { return effect.name == own; }))
             throw InputError(
                 fmt::format("gap.typical.{0} = {1:g}: \"{0}\" is an effect of this campaign; give "
                             "typical = {1:g} in its [[effect]]",
