@@ -62,9 +62,8 @@ std::vector<ListSpec> const& gap_lists()
          "what the model may lack, of the catalogue (`demens effects`) or an [[effect]]; none: all that the "
          "rigs allow"},
         {"typical", "table",
-         "{ EFFECT = amplitude, ... }: how large effects of the catalogue are here, as standard deviations, "
-         "in "
-         "place of what `demens effects` says"},
+         "{ EFFECT = amplitude, ... }: how large effects of the catalogue are here, as standard "
+         "deviations, in place of what `demens effects` says"},
     };
     return specs;
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <map>
 
 namespace demens::gap {
 namespace {
@@ -15,19 +14,21 @@ using ensemble::CampaignInput, ensemble::Effect;
 
 constexpr auto own_group = "own"; //!< of effects that the campaign brings
 
-std::map<std::string, double> typical_given(CampaignInput const& input)
+//! The amplitude that a campaign gives it, or its own.
+double typical_of(CatalogueEntry const& entry, CampaignInput const& input)
 {
-    return input.gap ? input.gap->typical : std::map<std::string, double>{};
+    if (!input.gap)
+        return entry.typical;
+    auto const given = input.gap->typical.find(entry.name);
+    return given == input.gap->typical.end() ? entry.typical : given->second;
 }
 
 //! The entry as an effect of this campaign; without settings where it is not allowed or needs none.
 CandidateEffect candidate_of(CatalogueEntry const& entry, Setup const& setup, CampaignInput const& input)
 {
-    auto const given = typical_given(input);
-    auto const typical = given.find(entry.name);
     return {{.name = entry.name,
              .settings = entry.settings ? entry.settings(setup) : std::vector<ensemble::EffectSetting>{},
-             .typical = typical == given.end() ? entry.typical : typical->second,
+             .typical = typical_of(entry, input),
              .sign = entry.sign,
              .doc = entry.doc},
             word_for(entry.group),
@@ -126,15 +127,17 @@ std::vector<CandidateEffect> named_candidates(CampaignInput const& input, Setup 
 //! \throws InputError when an amplitude is given of what is not looked at, or says its own
 void check_typical(std::vector<CandidateEffect> const& candidates, CampaignInput const& input)
 {
+    if (!input.gap)
+        return;
     std::vector<std::string> names;
     for (auto const& candidate : candidates)
         if (candidate.group != own_group)
             names.push_back(candidate.effect.name);
-    for (auto const& [name, amplitude] : typical_given(input)) {
+    for (auto const& [name, amplitude] : input.gap->typical) {
         if (std::find(names.begin(), names.end(), name) != names.end())
             continue;
         if (std::any_of(input.effects.begin(), input.effects.end(),
-                        [&, &own = name](auto const& effect) { return effect.name == own; }))
+                        [&own = name](auto const& effect) { return effect.name == own; }))
             throw InputError(
                 fmt::format("gap.typical.{0} = {1:g}: \"{0}\" is an effect of this campaign; give "
                             "typical = {1:g} in its [[effect]]",
