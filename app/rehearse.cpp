@@ -46,13 +46,16 @@ json read_json(fs::path const& file)
 }
 
 //! The truth of a case, drawn and sealed where that was not done before. On rank 0.
+//! \param kinds of the cases before it, of so many in all
 gap::CaseTruth sealed_truth(fs::path const& folder, ensemble::CampaignInput const& input,
-                            gap::RehearsedEffects const& effects, std::string const& name)
+                            gap::RehearsedEffects const& effects, std::string const& name,
+                            std::vector<gap::CaseKind> const& kinds, int cases)
 {
     auto const file = folder / "truth" / (name + ".json");
     if (fs::exists(file))
         return gap::truth_of(read_json(file).at("truth"));
-    auto const truth = gap::draw_case(input, effects, name, gap::entropy());
+    auto const kind = gap::draw_kind(effects, kinds, cases, gap::entropy());
+    auto const truth = gap::draw_case(input, effects, kind, name, gap::entropy());
     auto const salt = gap::new_salt();
     write(file, json{{"salt", salt}, {"truth", gap::json_of(truth)}}.dump(1) + "\n");
     auto seals = fs::exists(folder / "seals.json") ? read_json(folder / "seals.json") : json::object();
@@ -78,21 +81,24 @@ void write_case(fs::path const& folder, ensemble::CampaignInput const& input, st
     fs::last_write_time(folder, written);
 }
 
-int draw(std::string const& toml, fs::path const& folder, int cases, int repeats)
+int draw(std::string const& toml, fs::path const& folder, int cases, int repeats,
+         std::vector<std::string> const& outside)
 {
     auto input = ensemble::CampaignInput::from_file(toml);
     if (!input.run.bank.empty()) // as every case sees it
         input.run.bank = fs::relative(fs::absolute(fs::path(toml).parent_path() / input.run.bank),
                                       fs::absolute(folder) / "cases" / "case")
                              .string();
-    auto const effects = gap::rehearsed_effects(input);
+    auto const effects = gap::rehearsed_effects(input, outside);
+    std::vector<gap::CaseKind> kinds; // on rank 0
     on_root(MPI_COMM_WORLD, [&] { fs::create_directories(folder / "truth"); });
     for (int k = 1; k <= cases; ++k) {
         auto const name = fmt::format("case{:02}", k);
         gap::CaseTruth truth;
         std::vector<int> is_there(1);
         on_root(MPI_COMM_WORLD, [&] {
-            truth = sealed_truth(folder, input, effects, name);
+            truth = sealed_truth(folder, input, effects, name, kinds, cases);
+            kinds.push_back(truth.kind);
             is_there[0] = fs::exists(folder / "cases" / name / "campaign.toml");
         });
         ensemble::broadcast(MPI_COMM_WORLD, is_there);
@@ -202,6 +208,7 @@ void add_rehearse(CLI::App& gap, Action& action)
     struct Options
     {
         std::string toml, folder;
+        std::vector<std::string> outside;
         int cases = 12, repeats = 3;
     };
     auto options = std::make_shared<Options>();
@@ -217,10 +224,18 @@ void add_rehearse(CLI::App& gap, Action& action)
     drawn->add_option("--cases", options->cases, "how many")->check(CLI::Range(1, 999));
     drawn->add_option("--repeats", options->repeats, "measurements of each experiment")
         ->check(CLI::Range(1, 1000));
+    drawn
+        ->add_option(
+            "--outside", options->outside,
+            "effects drawn as something that [gap] effects does not list, with commas; default all that the "
+            "rigs allow")
+        ->delimiter(',');
     drawn->callback([options, &action] {
         action = [options] {
-            return on_all_ranks(
-                [&] { return draw(options->toml, options->folder, options->cases, options->repeats); });
+            return on_all_ranks([&] {
+                return draw(options->toml, options->folder, options->cases, options->repeats,
+                            options->outside);
+            });
         };
     });
     auto* diagnosed = command->add_subcommand("diagnose", "diagnose the cases of a folder; under mpirun");

@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <numeric>
 #include <random>
 
 namespace demens::gap {
 namespace {
 
-constexpr double share_none = 0.25, share_single = 0.42, share_pair = 0.125;
+constexpr std::array<double, 4> shares = {12. / 48, 20. / 48, 6. / 48, 10. / 48}; // of kinds, as declared
 constexpr std::array<double, 3> strengths = {0.5, 1, 2};
 constexpr double margin = 0.1; //!< of a factor's range on either side that no truth lies in
 
@@ -27,21 +28,39 @@ void add_effect(CaseTruth& truth, CandidateEffect const& candidate, RandomStream
     truth.amplitudes.push_back(truth.strengths.back() * effect.typical);
 }
 
-CaseKind draw_kind(RehearsedEffects const& effects, RandomStream& random)
+using KindCounts = std::array<int, shares.size()>;
+
+//! So many of so many cases are of each kind: their shares, what is left over to the largest remainders.
+KindCounts counts_of(int cases)
 {
-    double const u = random.uniform();
-    if (u < share_none)
-        return CaseKind::none;
-    if (u < share_none + share_single)
+    KindCounts counts{};
+    std::array<double, shares.size()> left{};
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        counts[k] = static_cast<int>(shares[k] * cases);
+        left[k] = shares[k] * cases - counts[k];
+    }
+    for (int more = cases - std::accumulate(counts.begin(), counts.end(), 0); more > 0; --more) {
+        auto const most = static_cast<std::size_t>(std::max_element(left.begin(), left.end()) - left.begin());
+        ++counts[most];
+        left[most] -= 1;
+    }
+    return counts;
+}
+
+//! What a kind becomes where the rigs have too few effects for it.
+CaseKind possible(CaseKind kind, RehearsedEffects const& effects)
+{
+    if (kind == CaseKind::pair && effects.listed.size() < 2)
         return CaseKind::single;
-    if (u < share_none + share_single + share_pair)
-        return effects.listed.size() > 1 ? CaseKind::pair : CaseKind::single;
-    return effects.outside.empty() ? CaseKind::none : CaseKind::outside;
+    if (kind == CaseKind::outside && effects.outside.empty())
+        return CaseKind::none;
+    return kind;
 }
 
 } // namespace
 
-RehearsedEffects rehearsed_effects(ensemble::CampaignInput const& input)
+RehearsedEffects rehearsed_effects(ensemble::CampaignInput const& input,
+                                   std::vector<std::string> const& outside)
 {
     RehearsedEffects effects;
     auto const simulated = [](std::vector<CandidateEffect> candidates) {
@@ -61,16 +80,51 @@ RehearsedEffects rehearsed_effects(ensemble::CampaignInput const& input)
         return std::any_of(effects.listed.begin(), effects.listed.end(),
                            [&](auto const& other) { return other.effect.name == candidate.effect.name; });
     });
+    auto const is_beside = [&](std::string const& name) {
+        return std::any_of(effects.outside.begin(), effects.outside.end(),
+                           [&](auto const& candidate) { return candidate.effect.name == name; });
+    };
+    for (auto const& name : outside)
+        if (!is_beside(name))
+            throw InputError(
+                fmt::format("`{}` cannot be drawn from outside the list: it is no effect that these rigs "
+                            "simulate, or `[gap] effects` lists it",
+                            name));
+    if (!outside.empty())
+        std::erase_if(effects.outside, [&](auto const& candidate) {
+            return std::find(outside.begin(), outside.end(), candidate.effect.name) == outside.end();
+        });
     return effects;
 }
 
-CaseTruth draw_case(ensemble::CampaignInput const& input, RehearsedEffects const& effects, std::string name,
-                    std::uint64_t seed)
+CaseKind draw_kind(RehearsedEffects const& effects, std::vector<CaseKind> const& drawn, int cases,
+                   std::uint64_t seed)
+{
+    KindCounts left{};
+    auto const wanted = counts_of(cases);
+    for (std::size_t k = 0; k < shares.size(); ++k)
+        left[static_cast<std::size_t>(possible(static_cast<CaseKind>(k), effects))] += wanted[k];
+    for (auto const kind : drawn)
+        --left[static_cast<std::size_t>(kind)];
+    for (int& count : left)
+        count = std::max(0, count);
+    auto const all = std::accumulate(left.begin(), left.end(), 0);
+    if (all == 0)
+        return CaseKind::none; // more were drawn than there are cases
+    auto place = static_cast<int>(RandomStream(seed).below(static_cast<std::uint64_t>(all)));
+    std::size_t kind = 0;
+    while (place >= left[kind])
+        place -= left[kind++];
+    return static_cast<CaseKind>(kind);
+}
+
+CaseTruth draw_case(ensemble::CampaignInput const& input, RehearsedEffects const& effects, CaseKind kind,
+                    std::string name, std::uint64_t seed)
 {
     RandomStream random(seed);
     CaseTruth truth;
     truth.name = std::move(name);
-    truth.kind = draw_kind(effects, random);
+    truth.kind = kind;
     switch (truth.kind) {
     case CaseKind::none:
         break;

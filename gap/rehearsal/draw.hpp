@@ -14,14 +14,22 @@ struct RehearsedEffects
     std::vector<CandidateEffect> listed;  //!< those that the diagnosis looks at
     std::vector<CandidateEffect> outside; //!< those that the rigs allow beside them
 };
-//! Effects that are simulated alone. \throws InputError without any that the campaign lists
-RehearsedEffects rehearsed_effects(ensemble::CampaignInput const& input);
+//! Effects that are simulated alone. \param outside names of those that are drawn from beside the list;
+//! empty: all. \throws InputError without any that the campaign lists, and for a name that is not beside the
+//! list
+RehearsedEffects rehearsed_effects(ensemble::CampaignInput const& input,
+                                   std::vector<std::string> const& outside = {});
 
-//! Draws a case: a quarter none, four in ten a single effect, an eighth two of them, the others one from
-//! outside the list (where there is none, nothing); half, all or twice the typical amplitude; factors from
-//! the inner eight tenths of their ranges.
-CaseTruth draw_case(ensemble::CampaignInput const& input, RehearsedEffects const& effects, std::string name,
-                    std::uint64_t seed);
+//! The kind of the next case, so that of all `cases` a quarter have no effect, five of twelve a single one,
+//! an eighth two, the others one from outside the list (where there is none, nothing). \param drawn kinds of
+//! the cases before it
+CaseKind draw_kind(RehearsedEffects const& effects, std::vector<CaseKind> const& drawn, int cases,
+                   std::uint64_t seed);
+
+//! Draws a case of a kind: effects at half, all or twice their typical amplitudes; factors from the inner
+//! eight tenths of their ranges.
+CaseTruth draw_case(ensemble::CampaignInput const& input, RehearsedEffects const& effects, CaseKind kind,
+                    std::string name, std::uint64_t seed);
 
 //! A number of the system's entropy.
 std::uint64_t entropy();

@@ -6,6 +6,7 @@
 #include "gap/campaign/simulated_points.hpp"
 #include "gap/statistics/gaussian.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -55,6 +56,18 @@ CampaignInput with_other_packings(CampaignInput input)
                                     ensemble::input::stored_files(files));
 }
 
+//! The mean of runs, and as much noise as their own scatter leaves of the deviation that the mean is said to
+//! have.
+double mean_with_deviation(std::vector<double> const& runs, double deviation, RandomStream& random)
+{
+    auto const values = Eigen::VectorXd::Map(runs.data(), static_cast<Eigen::Index>(runs.size())).array();
+    auto const count = static_cast<double>(runs.size());
+    double const of_mean =
+        runs.size() > 1 ? (values - values.mean()).square().sum() / (count * (count - 1)) : 0.0;
+    return values.mean() +
+           std::sqrt(std::max(0.0, deviation * deviation - of_mean)) * standard_normal(random);
+}
+
 //! The author's campaign, with the means of the runs and noise of the measurements in the place of values.
 std::string with_values(CampaignInput input, ensemble::Campaign const& reality, CaseTruth const& truth,
                         std::uint64_t seed)
@@ -67,18 +80,15 @@ std::string with_values(CampaignInput input, ensemble::Campaign const& reality, 
             continue;
         for (auto& target :
              experiment.role == ExperimentRole::calibrate ? experiment.targets : experiment.held_out) {
-            double sum = 0;
-            int count = 0;
+            std::vector<double> measured;
             for (auto const& run : runs)
-                if (run.experiment == static_cast<int>(e) && run.status == rig::RunStatus::finished) {
-                    sum += run.responses[static_cast<std::size_t>(target.response_index)];
-                    ++count;
-                }
-            if (count == 0)
+                if (run.experiment == static_cast<int>(e) && run.status == rig::RunStatus::finished)
+                    measured.push_back(run.responses[static_cast<std::size_t>(target.response_index)]);
+            if (measured.empty())
                 throw InputError(fmt::format("{}: no run of {} has finished, so that nothing is measured",
                                              truth.name, experiment.name));
             double const sd = std::isnan(target.sd) ? target.scale : target.sd;
-            target.value = sum / count + sd * standard_normal(random);
+            target.value = mean_with_deviation(measured, sd, random);
         }
     }
     input.name = truth.name;

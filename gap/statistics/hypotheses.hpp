@@ -25,8 +25,8 @@ struct HypothesisOptions
     double prior_single = 0.50;  //!< shared out among the effects
     double prior_pairs = 0.10;   //!< shared out among their pairs
     double prior_unknown = 0.15; //!< what hypotheses there are none of leaves its part to the others
-    std::vector<double> unknown_strengths = {0.03, 0.1,
-                                             0.3}; //!< tau, over the scale of the response; mixed alike
+    std::vector<double> unknown_strengths = {0.01, 0.03, 0.1,
+                                             0.3}; //!< tau, over the response's scale; mixed alike
     //! Pairs of effects that are not linear count as if they were where that makes them less probable than
     //! the best hypothesis by a factor exp(-pair_screen).
     double pair_screen = 8;
