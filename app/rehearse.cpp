@@ -81,6 +81,18 @@ void write_case(fs::path const& folder, ensemble::CampaignInput const& input, st
     fs::last_write_time(folder, written);
 }
 
+//! `NAME` or `NAME=AMPLITUDE`.
+gap::OutsideEffect outside_effect(std::string const& text)
+{
+    auto const sign = text.find('=');
+    if (sign == std::string::npos)
+        return {text};
+    double amplitude;
+    if (!CLI::detail::lexical_cast(text.substr(sign + 1), amplitude))
+        throw InputError(fmt::format("--outside {}: `{}` is no amplitude", text, text.substr(sign + 1)));
+    return {text.substr(0, sign), amplitude};
+}
+
 int draw(std::string const& toml, fs::path const& folder, int cases, int repeats,
          std::vector<std::string> const& outside)
 {
@@ -89,7 +101,10 @@ int draw(std::string const& toml, fs::path const& folder, int cases, int repeats
         input.run.bank = fs::relative(fs::absolute(fs::path(toml).parent_path() / input.run.bank),
                                       fs::absolute(folder) / "cases" / "case")
                              .string();
-    auto const effects = gap::rehearsed_effects(input, outside);
+    std::vector<gap::OutsideEffect> wanted;
+    for (auto const& text : outside)
+        wanted.push_back(outside_effect(text));
+    auto const effects = gap::rehearsed_effects(input, wanted);
     std::vector<gap::CaseKind> kinds; // on rank 0
     on_root(MPI_COMM_WORLD, [&] { fs::create_directories(folder / "truth"); });
     for (int k = 1; k <= cases; ++k) {
@@ -227,8 +242,8 @@ void add_rehearse(CLI::App& gap, Action& action)
     drawn
         ->add_option(
             "--outside", options->outside,
-            "effects drawn as something that [gap] effects does not list, with commas; default all that the "
-            "rigs allow")
+            "what is drawn that [gap] effects does not list, with commas: NAME or NAME=AMPLITUDE, the "
+            "typical one; default all that the rigs allow")
         ->delimiter(',');
     drawn->callback([options, &action] {
         action = [options] {

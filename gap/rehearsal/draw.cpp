@@ -57,10 +57,31 @@ CaseKind possible(CaseKind kind, RehearsedEffects const& effects)
     return kind;
 }
 
+//! Of the effects beside the list those that are to be drawn, as strong as they are to be.
+std::vector<CandidateEffect> chosen(std::vector<CandidateEffect> const& beside,
+                                    std::vector<OutsideEffect> const& wanted)
+{
+    std::vector<CandidateEffect> effects;
+    for (auto const& [name, typical] : wanted) {
+        auto const found = std::find_if(beside.begin(), beside.end(),
+                                        [&](auto const& candidate) { return candidate.effect.name == name; });
+        if (found == beside.end())
+            throw InputError(fmt::format("`{}` cannot be drawn from outside the list: it is no effect that "
+                                         "these rigs simulate, or `[gap] effects` lists it",
+                                         name));
+        if (typical && !(*typical > 0))
+            throw InputError(fmt::format("`{}={}`: a typical amplitude is above 0; the effect has its sign",
+                                         name, *typical));
+        effects.push_back(*found);
+        effects.back().effect.typical = typical.value_or(found->effect.typical);
+    }
+    return effects;
+}
+
 } // namespace
 
 RehearsedEffects rehearsed_effects(ensemble::CampaignInput const& input,
-                                   std::vector<std::string> const& outside)
+                                   std::vector<OutsideEffect> const& outside)
 {
     RehearsedEffects effects;
     auto const simulated = [](std::vector<CandidateEffect> candidates) {
@@ -80,20 +101,8 @@ RehearsedEffects rehearsed_effects(ensemble::CampaignInput const& input,
         return std::any_of(effects.listed.begin(), effects.listed.end(),
                            [&](auto const& other) { return other.effect.name == candidate.effect.name; });
     });
-    auto const is_beside = [&](std::string const& name) {
-        return std::any_of(effects.outside.begin(), effects.outside.end(),
-                           [&](auto const& candidate) { return candidate.effect.name == name; });
-    };
-    for (auto const& name : outside)
-        if (!is_beside(name))
-            throw InputError(
-                fmt::format("`{}` cannot be drawn from outside the list: it is no effect that these rigs "
-                            "simulate, or `[gap] effects` lists it",
-                            name));
     if (!outside.empty())
-        std::erase_if(effects.outside, [&](auto const& candidate) {
-            return std::find(outside.begin(), outside.end(), candidate.effect.name) == outside.end();
-        });
+        effects.outside = chosen(effects.outside, outside);
     return effects;
 }
 

@@ -5,6 +5,9 @@
 #include "gap/rehearsal/truth.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace demens::gap {
 
@@ -14,11 +17,18 @@ struct RehearsedEffects
     std::vector<CandidateEffect> listed;  //!< those that the diagnosis looks at
     std::vector<CandidateEffect> outside; //!< those that the rigs allow beside them
 };
-//! Effects that are simulated alone. \param outside names of those that are drawn from beside the list;
-//! empty: all. \throws InputError without any that the campaign lists, and for a name that is not beside the
-//! list
+//! An effect to be drawn from outside the list.
+struct OutsideEffect
+{
+    std::string name;
+    std::optional<double> typical = {}; //!< amplitude [own unit]; else the catalogue's
+};
+
+//! Effects that are simulated alone. \param outside those that are drawn from beside the list; empty: all.
+//! \throws InputError without any that the campaign lists, for a name that is not beside the list, and for an
+//! amplitude of 0
 RehearsedEffects rehearsed_effects(ensemble::CampaignInput const& input,
-                                   std::vector<std::string> const& outside = {});
+                                   std::vector<OutsideEffect> const& outside = {});
 
 //! The kind of the next case, so that of all `cases` a quarter have no effect, five of twelve a single one,
 //! an eighth two, the others one from outside the list (where there is none, nothing). \param drawn kinds of

@@ -7,7 +7,8 @@ here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$folder"
 [ -e "$folder/bank.toml" ] || python3 "$here/make_campaign.py" "$folder/bank.toml"
 [ -e "$folder/campaign.toml" ] || python3 "$here/make_campaign.py" "$folder/campaign.toml" bank.h5
-mpirun -n "$ranks" "$demens" gap bank "$folder/bank.toml" --points-per-effect 10
-mpirun -n "$ranks" "$demens" gap rehearse draw "$folder/campaign.toml" -o "$folder/rehearsal" --cases "$cases"
+mpirun -n "$ranks" "$demens" gap bank "$folder/bank.toml" --points-per-effect 14
+mpirun -n "$ranks" "$demens" gap rehearse draw "$folder/campaign.toml" -o "$folder/rehearsal" --cases "$cases" \
+    --outside "$(python3 "$here/make_campaign.py" --outside)"
 mpirun -n "$ranks" "$demens" gap rehearse diagnose "$folder/rehearsal"
 "$demens" gap rehearse score "$folder/rehearsal"
