@@ -82,15 +82,15 @@ TEST(Hypotheses, DensitiesAreThoseOfTheMethod)
                                  0.02 * Eigen::MatrixXd::Identity(12, 12);
     Eigen::VectorXd const w = scales(evidence.cells);
     Eigen::MatrixXd const wkw = w.asDiagonal() * k * w.asDiagonal();
-    Eigen::Vector3d const unknown(log_density(r, c + 0.0009 * wkw), log_density(r, c + 0.01 * wkw),
-                                  log_density(r, c + 0.09 * wkw));
+    Eigen::Vector4d const unknown(log_density(r, c + 0.0001 * wkw), log_density(r, c + 0.0009 * wkw),
+                                  log_density(r, c + 0.01 * wkw), log_density(r, c + 0.09 * wkw));
     auto const logs = d.hypotheses.log_evidences(r);
     ASSERT_EQ(logs.size(), 5);
     EXPECT_NEAR(logs[0], log_density(r, c), 1e-7);
     EXPECT_NEAR(logs[1], log_density(r, c + of_s), 1e-7);
     EXPECT_NEAR(logs[2], log_density(r, c + of_t), 1e-7);
     EXPECT_NEAR(logs[3], log_density(r, c + of_s + of_t), 1e-7);
-    EXPECT_NEAR(logs[4], log_sum_exp(unknown) - std::log(3.), 1e-7);
+    EXPECT_NEAR(logs[4], log_sum_exp(unknown) - std::log(4.), 1e-7);
     EXPECT_TRUE(d.hypotheses.priors().isApprox(
         (Eigen::VectorXd(5) << 0.25, 0.25, 0.25, 0.10, 0.15).finished(), 1e-12));
     // By hand from logs and priors.
