@@ -77,7 +77,7 @@ int show_gap(std::string const& file, bool as_json)
     return success;
 }
 
-int plan_ahead(std::string const& toml, std::string const& output, bool as_json)
+int plan_ahead(std::string const& toml, std::string const& output, int twins, bool as_json)
 {
     fs::path file = output;
     if (file.empty())
@@ -90,8 +90,8 @@ int plan_ahead(std::string const& toml, std::string const& output, bool as_json)
         return drained;
     }
     if (ensemble::rank_of(MPI_COMM_WORLD) == 0)
-        fmt::print("{}", as_json ? gap::plan_document(session.campaign()).dump(2) + "\n"
-                                 : gap::plan_text(session.campaign()));
+        fmt::print("{}", as_json ? gap::plan_document(session.campaign(), twins).dump(2) + "\n"
+                                 : gap::plan_text(session.campaign(), twins));
     return success;
 }
 
@@ -160,7 +160,7 @@ void add_gap(CLI::App& program, Action& action)
         std::string file, toml, output;
         std::vector<std::string> files;
         bool json = false;
-        int points_per_effect = 8;
+        int points_per_effect = 8, twins = 200;
     };
     auto options = std::make_shared<Options>();
     auto* command = program.add_subcommand(
@@ -175,9 +175,13 @@ void add_gap(CLI::App& program, Action& action)
     plan->add_option("FILE.toml", options->toml, "campaign as its author writes it")->required();
     plan->add_flag("--json", options->json, "the same as JSON");
     plan->add_option("-o,--output", options->output, "file for its runs; default FILE.plan.h5");
+    plan->add_option("--twins", options->twins, "of each cause that are diagnosed")
+        ->check(CLI::Range(20, 100000))
+        ->capture_default_str();
     plan->callback([options, &action] {
         action = [options] {
-            return on_all_ranks([&] { return plan_ahead(options->toml, options->output, options->json); });
+            return on_all_ranks(
+                [&] { return plan_ahead(options->toml, options->output, options->twins, options->json); });
         };
     });
     auto* bank = command->add_subcommand(

@@ -14,9 +14,7 @@
 namespace demens::gap {
 namespace {
 
-constexpr int twins = 200; //!< of each class
-
-Rehearsal rehearsed(Diagnosis const& found)
+Rehearsal rehearsed(Diagnosis const& found, int twins)
 {
     return rehearse(found.evidence(), found.projection(), found.hypotheses(), found.attributor(),
                     {.twins = twins});
@@ -26,11 +24,11 @@ std::string name_of(RehearsedRow const& row, Diagnosis const& found)
 {
     return row.effect >= 0    ? found.effects()[static_cast<std::size_t>(row.effect)].name
            : row.effect == -1 ? "none"
-                              : "outside the list";
+                              : fmt::format("outside the list, {}", percent(row.strength));
 }
 
 //! What twins of each cause are taken for.
-void write_confusion(std::string& text, Diagnosis const& found, Rehearsal const& rehearsal)
+void write_confusion(std::string& text, Diagnosis const& found, Rehearsal const& rehearsal, int twins)
 {
     auto const to = std::back_inserter(text);
     fmt::format_to(to,
@@ -56,11 +54,11 @@ void write_confusion(std::string& text, Diagnosis const& found, Rehearsal const&
 
 } // namespace
 
-nlohmann::json plan_document(ensemble::Campaign const& campaign)
+nlohmann::json plan_document(ensemble::Campaign const& campaign, int twins)
 {
     Diagnosis const found(campaign, Centre::middle);
     auto const distances = found.distances();
-    auto const rehearsal = rehearsed(found);
+    auto const rehearsal = rehearsed(found, twins);
     nlohmann::json effects = nlohmann::json::array(), rows = effects, groups = effects;
     for (std::size_t k = 0; k < found.effects().size(); ++k) {
         auto const place = static_cast<Eigen::Index>(k);
@@ -94,7 +92,7 @@ nlohmann::json plan_document(ensemble::Campaign const& campaign)
             {"notes", found.campaign().notes}};
 }
 
-std::string plan_text(ensemble::Campaign const& campaign)
+std::string plan_text(ensemble::Campaign const& campaign, int twins)
 {
     Diagnosis const found(campaign, Centre::middle);
     auto const distances = found.distances();
@@ -125,7 +123,7 @@ std::string plan_text(ensemble::Campaign const& campaign)
         if (names.size() > 1)
             fmt::format_to(to, "cannot be told apart at typical amplitudes: {}\n", fmt::join(names, ", "));
     }
-    write_confusion(text, found, rehearsed(found));
+    write_confusion(text, found, rehearsed(found, twins), twins);
     for (auto const& one : ranked_experiments(campaign, found))
         fmt::format_to(
             to,

@@ -86,7 +86,8 @@ Rehearsal rehearse(Evidence const& evidence, Projection const& projection, Hypot
                 double const amplitude = (down ? -1 : 1) * strength * effect.typical;
                 return twins.with({effect}, Eigen::VectorXd::Constant(1, amplitude), i);
             });
-    add(-2, options.outside, [&](Twins const& twins, int i) { return twins.unknown(options.outside, i); });
+    for (double strength : options.outside)
+        add(-2, strength, [&](Twins const& twins, int i) { return twins.unknown(strength, i); });
     return found;
 }
 

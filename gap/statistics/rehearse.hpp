@@ -9,8 +9,9 @@ struct RehearseOptions
 {
     int twins = 500; //!< of each class and strength
     std::vector<double> strengths = {
-        1};               //!< amplitudes over `typical`; both signs in turn where either is possible
-    double outside = 0.1; //!< strength of what no effect describes, over the scale of responses
+        1}; //!< amplitudes over `typical`; both signs in turn where either is possible
+    std::vector<double> outside = {
+        0.01, 0.03, 0.1}; //!< strengths of what no effect describes, over the scale of responses
     std::uint64_t seed = 1999;
 };
 
@@ -18,7 +19,7 @@ struct RehearseOptions
 struct RehearsedRow
 {
     int effect;              //!< -1: none, -2: something outside the list
-    double strength;         //!< over `typical`; NaN for none
+    double strength;         //!< over `typical`, or over the scale of responses; NaN for none
     Eigen::VectorXd answers; //!< shares: none, the effects, unknown, by the largest probability and the gate
     double in_group;         //!< share in which the effect, or one that cannot be told from it, comes first
     double named;         //!< share in which anything was named at the options' probability, groups as well

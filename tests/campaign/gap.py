@@ -138,7 +138,7 @@ with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
 
     plan = run(mpirun, "-n", "2", demens, "gap", "plan", "soft.toml")
     print(plan)
-    assert "softening" in plan and "200 twins of each cause" in plan and "next grazing" in plan, plan
+    assert "softening" in plan and "200 twins of each cause" in plan and "outside the list, 1 %" in plan and "next grazing" in plan, plan
     effects = run(demens, "effects", "soft.toml")
     assert "softening" in effects and "plate_modulus" in effects and "drum_speed" not in effects, effects
     wrong = subprocess.run([demens, "gap", "none.toml"], capture_output=True, text=True)

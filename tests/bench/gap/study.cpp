@@ -31,8 +31,9 @@ Means study(Study const& study, Rigs const& rigs, double strength)
     for (int system = 0; system < study.systems; ++system) {
         auto const made = make_up(rigs, study.size, 0.04, 1 + system);
         Diagnosis const diagnosis(made);
-        auto const found = rehearse(made.evidence, diagnosis.projection, diagnosis.hypotheses,
-                                    diagnosis.attributor, {.twins = study.twins, .strengths = {strength}});
+        auto const found =
+            rehearse(made.evidence, diagnosis.projection, diagnosis.hypotheses, diagnosis.attributor,
+                     {.twins = study.twins, .strengths = {strength}, .outside = {0.1}});
         double const share = 1. / study.systems;
         means.right += share * right_first(found);
         means.group += share * mean(found, &RehearsedRow::in_group);
