@@ -1,5 +1,6 @@
 #include "gap/rehearsal/case_answer.hpp"
 
+#include "gap/statistics/attribute.hpp"
 #include "gap/statistics/locate.hpp"
 
 #include <algorithm>
@@ -104,6 +105,11 @@ bool CaseAnswer::has_in_first_group(std::string const& effect) const
     return first() == effect || std::any_of(groups.begin(), groups.end(), [&](json const& group) {
                return holds(group.at("effects"), first()) && holds(group.at("effects"), effect);
            });
+}
+
+bool CaseAnswer::sees_nothing() const
+{
+    return verdict() == words(Verdict::within_floor);
 }
 
 bool CaseAnswer::is_unknown() const

@@ -40,6 +40,8 @@ class CaseAnswer
     bool names(std::string const& effect) const;
     //! Whether the effect, or one of a group with it, comes first.
     bool has_in_first_group(std::string const& effect) const;
+    //! Whether it says that the measurements have nothing beyond the floor.
+    bool sees_nothing() const;
     //! Whether it says that the cause is none of the list.
     bool is_unknown() const;
     //! What a simpler rule would have said: `cosine`, `criterion`, `refit`, or the prior, which says none.

@@ -106,6 +106,7 @@ class Others
             break;
         case CaseKind::outside:
             flagged_.add(answer.is_unknown());
+            unseen_.add(answer.sees_nothing());
             misnamed_.add(answer.names_anything());
             break;
         case CaseKind::single:
@@ -118,12 +119,13 @@ class Others
         to.line("none: something named", false_named_.text());
         to.line("outside the list: flagged unknown", flagged_.text());
         to.line("outside the list: something named", misnamed_.text());
+        to.line("outside the list: nothing beyond the floor", unseen_.text());
         to.line("pairs: one of them first", one_of_pair_.text());
         to.line("pairs: both named", both_of_pair_.text());
     }
 
   private:
-    Share false_first_, false_named_, flagged_, misnamed_, one_of_pair_, both_of_pair_;
+    Share false_first_, false_named_, flagged_, unseen_, misnamed_, one_of_pair_, both_of_pair_;
 };
 
 //! Cells of all cases whose effects the diagnosis knows: those said to be beyond the floor, and those that

@@ -72,8 +72,16 @@ TEST(CaseAnswer, APairCountsForBothByHalf)
     EXPECT_FALSE(answer.has_in_first_group("none"));
     EXPECT_FALSE(answer.names_anything());
     EXPECT_FALSE(answer.is_unknown());
+    EXPECT_FALSE(answer.sees_nothing());
     EXPECT_EQ(answer.by_rule("prior"), "none");
     EXPECT_EQ(answer.by_rule("refit"), "rough");
+}
+
+TEST(CaseAnswer, SeesNothingWhereTheVerdictSaysSo)
+{
+    auto said = document(0.9, 0.1, 0, 0, 0);
+    said["which"]["verdict"] = "nothing beyond the floor";
+    EXPECT_TRUE(gap::CaseAnswer(said).sees_nothing());
 }
 
 TEST(CaseAnswer, TellsPriorsAndEvidencesOfWhatIsTrue)
@@ -158,6 +166,7 @@ TEST(Scores, AreThoseOfTheCases)
     expect("none: another answer first", "1 of 2");
     expect("none: something named", "1 of 2");
     expect("outside the list: flagged unknown", "1 of 1");
+    expect("outside the list: nothing beyond the floor", "0 of 1");
     expect("pairs: one of them first", "1 of 1");
     expect("pairs: both named", "0 of 1");
     expect("right single effect: simulated on what is held out", "3 of 3");
