@@ -182,7 +182,7 @@ OptionSpecs bed_options()
                "share of their diameter apart, so that a grain is 1 + elongation times as long as wide [-]",
                0.0, 1.0),
         number("rest_s", 0, "the bed is left alone so long between its filling and what follows [s]", 0.0),
-        number("skin", 0.3, "reach of the neighbour lists beyond contact over the radius of mean volume [-]",
+        number("skin", 0.6, "reach of the neighbour lists beyond contact over the radius of mean volume [-]",
                1e-3, 2.0)};
 }
 

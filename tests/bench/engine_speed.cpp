@@ -114,15 +114,19 @@ void compare_mantles(std::filesystem::path const& folder, int triangles, Turns c
                bench::median_ratio(contestants[1], contestants[0]));
 }
 
-//! Several prepared states beside each other, e.g. of different sizes of spheres.
-void compare_states(std::vector<std::string> const& folders, double skin_share, Turns const& turns)
+//! Several prepared states beside each other, e.g. of different sizes of spheres, each with several skins.
+void compare_states(std::vector<std::string> const& folders, std::vector<double> const& skin_shares,
+                    Turns const& turns)
 {
     std::vector<bench::Contestant> contestants;
     for (std::filesystem::path const folder : folders) {
         bench::State const state = bench::read_state(folder / "state.txt");
-        contestants.push_back(
-            {folder.filename().string(), bench::make_simulation(state, {.model = bench::powder("none"),
-                                                                        .skin = skin_share * state.skin})});
+        for (double const share : skin_shares)
+            contestants.push_back(
+                {skin_shares.size() > 1 ? fmt::format("{}, skin x {:g}", folder.filename().string(), share)
+                                        : folder.filename().string(),
+                 bench::make_simulation(state,
+                                        {.model = bench::powder("none"), .skin = share * state.skin})});
     }
     bench::time_in_turns(contestants, turns.warm_up, turns.steps, turns.rounds);
     print_contestants(contestants, "state");
@@ -179,7 +183,7 @@ int main(int argc, char** argv)
     std::string folder, from, kind = "box", sizes = "spread", rolling = "none";
     std::vector<std::string> folders;
     int spheres = 20000, warm_up = 1000, steps = 2000, triangles = 10000, along_x = 5, along_y = 5;
-    double skin_share = 1;
+    std::vector<double> skin_shares = {1};
     Turns turns;
     auto const add_turns = [&](CLI::App& command) {
         command.add_option("--warm-up", turns.warm_up, "steps before the clock starts");
@@ -210,7 +214,8 @@ int main(int argc, char** argv)
     add_turns(*mantles);
     auto* states = program.add_subcommand("compare", "several prepared states beside each other");
     states->add_option("FOLDERS", folders)->required();
-    states->add_option("--skin", skin_share, "share of the states' skins");
+    states->add_option("--skin", skin_shares, "shares of the states' skins, beside each other")
+        ->delimiter(',');
     add_turns(*states);
     CLI11_PARSE(program, argc, argv);
     try {
@@ -225,7 +230,7 @@ int main(int argc, char** argv)
         else if (mantles->parsed())
             compare_mantles(folder, triangles, turns);
         else
-            compare_states(folders, skin_share, turns);
+            compare_states(folders, skin_shares, turns);
     } catch (std::exception const& failure) {
         fmt::print(stderr, "{}\n", failure.what());
         return 1;
