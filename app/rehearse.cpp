@@ -24,6 +24,8 @@ namespace fs = std::filesystem;
 using ensemble::on_root;
 using nlohmann::json;
 
+constexpr int most_tries = 10; // at a case that can be measured
+
 void write(fs::path const& file, std::string const& text)
 {
     std::ofstream out(file);
@@ -63,6 +65,16 @@ gap::CaseTruth sealed_truth(fs::path const& folder, ensemble::CampaignInput cons
     write(folder / "seals.json", seals.dump(1) + "\n");
     fmt::print("{} {}\n", name, seals[name].get<std::string>());
     return truth;
+}
+
+//! A case that cannot be measured was not drawn.
+void take_back(fs::path const& folder, std::string const& name)
+{
+    auto seals = read_json(folder / "seals.json");
+    seals.erase(name);
+    write(folder / "seals.json", seals.dump(1) + "\n");
+    for (auto const* ending : {".json", ".h5", ".h5.lock", ".h5.parts"})
+        fs::remove_all(folder / "truth" / (name + ending));
 }
 
 //! \param written when all of it was written, it says: how long a case took to simulate would tell of its
@@ -107,7 +119,7 @@ int draw(std::string const& toml, fs::path const& folder, int cases, int repeats
     auto const effects = gap::rehearsed_effects(input, wanted);
     std::vector<gap::CaseKind> kinds; // on rank 0
     on_root(MPI_COMM_WORLD, [&] { fs::create_directories(folder / "truth"); });
-    for (int k = 1; k <= cases; ++k) {
+    for (int k = 1, tries = 1; k <= cases; ++k) {
         auto const name = fmt::format("case{:02}", k);
         gap::CaseTruth truth;
         std::vector<int> is_there(1);
@@ -119,14 +131,26 @@ int draw(std::string const& toml, fs::path const& folder, int cases, int repeats
         ensemble::broadcast(MPI_COMM_WORLD, is_there);
         if (is_there[0] != 0)
             continue;
-        auto const text = gap::measured_campaign(MPI_COMM_WORLD, input, effects, truth,
-                                                 folder / "truth" / (name + ".h5"), repeats);
-        std::vector<int> stopped = {text.empty()};
-        ensemble::broadcast(MPI_COMM_WORLD, stopped);
-        if (stopped[0] != 0)
+        auto const measured = gap::measured_campaign(MPI_COMM_WORLD, input, effects, truth,
+                                                     folder / "truth" / (name + ".h5"), repeats);
+        if (measured.end == gap::MeasuredCase::End::stopped)
             return drained;
-        on_root(MPI_COMM_WORLD,
-                [&] { write_case(folder / "cases" / name, input, text, fs::last_write_time(toml)); });
+        bool const again = measured.end == gap::MeasuredCase::End::unmeasurable;
+        on_root(MPI_COMM_WORLD, [&] {
+            if (again && tries == most_tries)
+                throw InputError(
+                    fmt::format("{}: in {} draws no run of {} has finished; `demens status {}` says why",
+                                name, tries, measured.text, (folder / "truth" / (name + ".h5")).string()));
+            if (again) {
+                fmt::print("{}: no run of {} has finished; drawn anew\n", name, measured.text);
+                take_back(folder, name);
+                kinds.pop_back();
+            } else {
+                write_case(folder / "cases" / name, input, measured.text, fs::last_write_time(toml));
+            }
+        });
+        tries = again ? tries + 1 : 1;
+        k -= again;
     }
     return success;
 }

@@ -69,8 +69,8 @@ double mean_with_deviation(std::vector<double> const& runs, double deviation, Ra
 }
 
 //! The author's campaign, with the means of the runs and noise of the measurements in the place of values.
-std::string with_values(CampaignInput input, ensemble::Campaign const& reality, CaseTruth const& truth,
-                        std::uint64_t seed)
+MeasuredCase with_values(CampaignInput input, ensemble::Campaign const& reality, CaseTruth const& truth,
+                         std::uint64_t seed)
 {
     auto const runs = reality.all_runs();
     RandomStream random(derive_seed(seed, noise_stream));
@@ -85,21 +85,20 @@ std::string with_values(CampaignInput input, ensemble::Campaign const& reality, 
                 if (run.experiment == static_cast<int>(e) && run.status == rig::RunStatus::finished)
                     measured.push_back(run.responses[static_cast<std::size_t>(target.response_index)]);
             if (measured.empty())
-                throw InputError(fmt::format("{}: no run of {} has finished, so that nothing is measured",
-                                             truth.name, experiment.name));
+                return {MeasuredCase::End::unmeasurable, experiment.name};
             double const sd = std::isnan(target.sd) ? target.scale : target.sd;
             target.value = mean_with_deviation(measured, sd, random);
         }
     }
     input.name = truth.name;
-    return input.resolved_text_at({});
+    return {MeasuredCase::End::measured, input.resolved_text_at({})};
 }
 
 } // namespace
 
-std::string measured_campaign(MPI_Comm communicator, CampaignInput const& input,
-                              RehearsedEffects const& effects, CaseTruth const& truth,
-                              std::filesystem::path const& file, int repeats)
+MeasuredCase measured_campaign(MPI_Comm communicator, CampaignInput const& input,
+                               RehearsedEffects const& effects, CaseTruth const& truth,
+                               std::filesystem::path const& file, int repeats)
 {
     ensemble::on_root(communicator, [&] {
         require_scalars(input);
@@ -109,10 +108,14 @@ std::string measured_campaign(MPI_Comm communicator, CampaignInput const& input,
     });
     ensemble::Session session(communicator, file);
     if (session.run_waves() == ensemble::WaveEnd::drained)
-        return {};
-    std::string text;
-    ensemble::on_root(communicator, [&] { text = with_values(input, session.campaign(), truth, entropy()); });
-    return text;
+        return {MeasuredCase::End::stopped, {}};
+    MeasuredCase measured{};
+    ensemble::on_root(communicator,
+                      [&] { measured = with_values(input, session.campaign(), truth, entropy()); });
+    std::vector<int> end = {static_cast<int>(measured.end)};
+    ensemble::broadcast(communicator, end);
+    measured.end = static_cast<MeasuredCase::End>(end[0]);
+    return measured;
 }
 
 } // namespace demens::gap

@@ -10,6 +10,46 @@ import subprocess
 import sys
 import tempfile
 
+blocked = """
+[campaign]
+name = "blocked"
+
+[material.grain]
+density = 2500.0
+youngs_modulus = 1e6
+
+[contact.grain_grain]
+restitution = 0.5
+static_friction = 0.5
+
+[size_distribution.equal]
+classes_mm = [3.0]
+mass_fraction = [1.0]
+
+[[experiment]]
+name = "slot"
+rig = "drawdown"
+material = "grain"
+wall_material = "grain"
+window_material = "grain"
+size_distribution = "equal"
+mass_kg = 0.004
+bulk_density = 1000.0
+box_width_mm = 20.0
+box_depth_mm = 15.0
+lower_box_width_mm = 40.0
+drop_height_mm = 20.0
+slot_width_mm = 3.1
+target.mass_flow_kg_s = { value = 1.0, scale = 0.003, sd = 0.003 }
+
+[[factor]]
+path = "contact.grain_grain.static_friction"
+lower = 0.5
+upper = 0.9
+
+[gap]
+effects = ["fill_mass"]
+"""
 demens, mpirun, template = sys.argv[1:4]
 cases = 6
 
@@ -82,3 +122,12 @@ with tempfile.TemporaryDirectory() as folder:
     json.dump(truth, open("rehearsal/truth/case01.json", "w"))
     broken = subprocess.run([demens, "gap", "rehearse", "score", "rehearsal"], capture_output=True, text=True)
     assert broken.returncode == 2 and "not the one that was sealed" in broken.stderr, broken
+
+    # what cannot be measured is drawn anew, not for ever: through this slot nothing flows
+    with open("blocked.toml", "w") as campaign:
+        campaign.write(blocked)
+    stuck = subprocess.run([demens, "gap", "rehearse", "draw", "blocked.toml", "-o", "blocked", "--cases", "1", "--repeats", "1"],
+                           capture_output=True, text=True)
+    assert stuck.returncode == 2 and stuck.stdout.count("drawn anew") == 9, stuck
+    assert "in 10 draws no run of slot has finished" in stuck.stderr and "demens status" in stuck.stderr, stuck.stderr
+    assert os.listdir("blocked/truth").count("case01.json") == 1 and len(json.load(open("blocked/seals.json"))) == 1
