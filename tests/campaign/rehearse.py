@@ -39,7 +39,7 @@ box_width_mm = 20.0
 box_depth_mm = 15.0
 lower_box_width_mm = 40.0
 drop_height_mm = 20.0
-slot_width_mm = 3.1
+slot_width_mm = 4.0
 target.mass_flow_kg_s = { value = 1.0, scale = 0.003, sd = 0.003 }
 
 [[factor]]
