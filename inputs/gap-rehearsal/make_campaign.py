@@ -24,7 +24,7 @@ slots = {
 slot_responses = ("angle_of_repose_deg", "shear_angle_deg", "mass_flow_kg_s", "final_mass_kg", "bulk_density_kg_m3")
 # What the diagnosis knows, with typical amplitudes of some eight sigmas by `gap plan`: at half of them an effect is near what can be seen at all.
 listed = {
-    "fill_mass": 0.02, "fines": 0.2, "lean": 2.0, "cover_friction": 0.45, "vibration": 0.4, "shape": 0.25, "cover_motion": 0.35, "liquid_bridges": 0.2,
+    "fill_mass": 0.02, "fines": 0.2, "lean": 2.0, "cover_friction": 0.45, "vibration": 0.3, "shape": 0.25, "cover_motion": 0.35, "liquid_bridges": 0.2,
     "slot_width": 0.06, "friction_drift": 0.07,
 }
 # What is drawn beside these, as something outside the list; `run.sh` names them. The same law in another form (cohesion), and what is of another kind.
