@@ -47,17 +47,26 @@ json read_json(fs::path const& file)
     }
 }
 
-//! The truth of a case, drawn and sealed where that was not done before. On rank 0.
-//! \param kinds of the cases before it, of so many in all
-gap::CaseTruth sealed_truth(fs::path const& folder, ensemble::CampaignInput const& input,
-                            gap::RehearsedEffects const& effects, std::string const& name,
-                            std::vector<gap::CaseKind> const& kinds, int cases)
+//! What draws cases into a folder.
+struct Drawing
 {
+    ensemble::CampaignInput input;
+    gap::RehearsedEffects effects;
+    fs::path folder;
+    int cases, repeats;
+    fs::file_time_type written; //!< what all files of a case say: how long one took would tell of its cause
+    std::vector<gap::CaseKind> kinds = {}; //!< of the cases so far; on rank 0
+};
+
+//! The truth of a case, drawn and sealed where that was not done before. On rank 0.
+gap::CaseTruth sealed_truth(Drawing const& drawing, std::string const& name)
+{
+    auto const& folder = drawing.folder;
     auto const file = folder / "truth" / (name + ".json");
     if (fs::exists(file))
         return gap::truth_of(read_json(file).at("truth"));
-    auto const kind = gap::draw_kind(effects, kinds, cases, gap::entropy());
-    auto const truth = gap::draw_case(input, effects, kind, name, gap::entropy());
+    auto const kind = gap::draw_kind(drawing.effects, drawing.kinds, drawing.cases, gap::entropy());
+    auto const truth = gap::draw_case(drawing.input, drawing.effects, kind, name, gap::entropy());
     auto const salt = gap::new_salt();
     write(file, json{{"salt", salt}, {"truth", gap::json_of(truth)}}.dump(1) + "\n");
     auto seals = fs::exists(folder / "seals.json") ? read_json(folder / "seals.json") : json::object();
@@ -77,20 +86,55 @@ void take_back(fs::path const& folder, std::string const& name)
         fs::remove_all(folder / "truth" / (name + ending));
 }
 
-//! \param written when all of it was written, it says: how long a case took to simulate would tell of its
-//! cause
-void write_case(fs::path const& folder, ensemble::CampaignInput const& input, std::string const& text,
-                fs::file_time_type written)
+void write_case(Drawing const& drawing, std::string const& name, std::string const& text)
 {
+    auto const folder = drawing.folder / "cases" / name;
     fs::create_directories(folder);
-    for (auto const& [name, content] : input.files()) {
-        fs::create_directories((folder / name).parent_path());
-        write(folder / name, *content);
+    for (auto const& [file, content] : drawing.input.files()) {
+        fs::create_directories((folder / file).parent_path());
+        write(folder / file, *content);
     }
     write(folder / "campaign.toml", text);
     for (auto const& entry : fs::recursive_directory_iterator(folder))
-        fs::last_write_time(entry.path(), written);
-    fs::last_write_time(folder, written);
+        fs::last_write_time(entry.path(), drawing.written);
+    fs::last_write_time(folder, drawing.written);
+}
+
+//! Draws a case and simulates what is measured, anew where that cannot be. False when asked to stop.
+bool draw_case(Drawing& drawing, std::string const& name)
+{
+    for (int tries = 1;; ++tries) {
+        gap::CaseTruth truth;
+        std::vector<int> is_there(1);
+        on_root(MPI_COMM_WORLD, [&] {
+            truth = sealed_truth(drawing, name);
+            drawing.kinds.push_back(truth.kind);
+            is_there[0] = fs::exists(drawing.folder / "cases" / name / "campaign.toml");
+        });
+        ensemble::broadcast(MPI_COMM_WORLD, is_there);
+        if (is_there[0] != 0)
+            return true;
+        auto const file = drawing.folder / "truth" / (name + ".h5");
+        auto const measured = gap::measured_campaign(MPI_COMM_WORLD, drawing.input, drawing.effects, truth,
+                                                     file, drawing.repeats);
+        switch (measured.end) {
+        case gap::MeasuredCase::End::stopped:
+            return false;
+        case gap::MeasuredCase::End::measured:
+            on_root(MPI_COMM_WORLD, [&] { write_case(drawing, name, measured.text); });
+            return true;
+        case gap::MeasuredCase::End::unmeasurable:
+            on_root(MPI_COMM_WORLD, [&] {
+                if (tries == most_tries)
+                    throw InputError(
+                        fmt::format("{}: in {} draws no run of {} has finished; `demens status {}` says why",
+                                    name, tries, measured.text, file.string()));
+                fmt::print("{}: no run of {} has finished; drawn anew\n", name, measured.text);
+                take_back(drawing.folder, name);
+                drawing.kinds.pop_back();
+            });
+        }
+    }
 }
 
 //! `NAME` or `NAME=AMPLITUDE`.
@@ -116,42 +160,12 @@ int draw(std::string const& toml, fs::path const& folder, int cases, int repeats
     std::vector<gap::OutsideEffect> wanted;
     for (auto const& text : outside)
         wanted.push_back(outside_effect(text));
-    auto const effects = gap::rehearsed_effects(input, wanted);
-    std::vector<gap::CaseKind> kinds; // on rank 0
+    auto effects = gap::rehearsed_effects(input, wanted);
     on_root(MPI_COMM_WORLD, [&] { fs::create_directories(folder / "truth"); });
-    for (int k = 1, tries = 1; k <= cases; ++k) {
-        auto const name = fmt::format("case{:02}", k);
-        gap::CaseTruth truth;
-        std::vector<int> is_there(1);
-        on_root(MPI_COMM_WORLD, [&] {
-            truth = sealed_truth(folder, input, effects, name, kinds, cases);
-            kinds.push_back(truth.kind);
-            is_there[0] = fs::exists(folder / "cases" / name / "campaign.toml");
-        });
-        ensemble::broadcast(MPI_COMM_WORLD, is_there);
-        if (is_there[0] != 0)
-            continue;
-        auto const measured = gap::measured_campaign(MPI_COMM_WORLD, input, effects, truth,
-                                                     folder / "truth" / (name + ".h5"), repeats);
-        if (measured.end == gap::MeasuredCase::End::stopped)
+    Drawing drawing{std::move(input), std::move(effects), folder, cases, repeats, fs::last_write_time(toml)};
+    for (int k = 1; k <= cases; ++k)
+        if (!draw_case(drawing, fmt::format("case{:02}", k)))
             return drained;
-        bool const again = measured.end == gap::MeasuredCase::End::unmeasurable;
-        on_root(MPI_COMM_WORLD, [&] {
-            if (again && tries == most_tries)
-                throw InputError(
-                    fmt::format("{}: in {} draws no run of {} has finished; `demens status {}` says why",
-                                name, tries, measured.text, (folder / "truth" / (name + ".h5")).string()));
-            if (again) {
-                fmt::print("{}: no run of {} has finished; drawn anew\n", name, measured.text);
-                take_back(folder, name);
-                kinds.pop_back();
-            } else {
-                write_case(folder / "cases" / name, input, measured.text, fs::last_write_time(toml));
-            }
-        });
-        tries = again ? tries + 1 : 1;
-        k -= again;
-    }
     return success;
 }
 
