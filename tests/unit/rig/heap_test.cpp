@@ -81,8 +81,6 @@ TEST(Heap, IsWhatTheLiftedCylinderLeaves)
     double const angle = named.at("angle_of_repose_deg");
     EXPECT_GT(angle, 10);
     EXPECT_LT(angle, 45);
-    EXPECT_NEAR(named.at("left_angle_deg"), angle, 8);
-    EXPECT_NEAR(named.at("right_angle_deg"), angle, 8);
     EXPECT_NEAR(named.at("mass_on_plate_kg"), 5e-3, 5e-5); // nothing is lost on a plate without an edge
     // Height and radius of a cone of that angle; the tip is rounded and a layer of grains lies around it.
     EXPECT_NEAR(named.at("height_mm"), named.at("radius_mm") * std::tan(angle * std::numbers::pi / 180), 2.5);
@@ -94,6 +92,23 @@ TEST(Heap, IsWhatTheLiftedCylinderLeaves)
     auto const& radius = result.series.column("radius_mm");
     EXPECT_GT(radius.back(), 12);
     EXPECT_EQ(result.series.column("angle_of_repose_deg").back(), angle);
+}
+
+// One heap of 500 grains is crooked: left less right scatters by 5 degrees from one to the next.
+TEST(Heap, LeansToNoSideInTheMean)
+{
+    constexpr int heaps = 8;
+    double left = 0, right = 0, angle = 0;
+    auto input = small_heap();
+    for (int seed = 1; seed <= heaps; ++seed) {
+        input.seed = static_cast<std::uint64_t>(seed);
+        auto const named = responses(run(input));
+        left += named.at("left_angle_deg") / heaps;
+        right += named.at("right_angle_deg") / heaps;
+        angle += named.at("angle_of_repose_deg") / heaps;
+    }
+    EXPECT_NEAR(left, right, 3 * 5 / std::sqrt(heaps));
+    EXPECT_NEAR(0.5 * (left + right), angle, 5); // of the sides of its shadow, and of all around it
 }
 
 TEST(Heap, IsFlatterWithoutFriction)
