@@ -62,18 +62,19 @@ std::vector<CandidateEffect> chosen(std::vector<CandidateEffect> const& beside,
                                     std::vector<OutsideEffect> const& wanted)
 {
     std::vector<CandidateEffect> effects;
-    for (auto const& [name, typical] : wanted) {
-        auto const found = std::find_if(beside.begin(), beside.end(),
-                                        [&](auto const& candidate) { return candidate.effect.name == name; });
+    for (auto const& one : wanted) {
+        auto const found = std::find_if(beside.begin(), beside.end(), [&](auto const& candidate) {
+            return candidate.effect.name == one.name;
+        });
         if (found == beside.end())
             throw InputError(fmt::format("`{}` cannot be drawn from outside the list: it is no effect that "
                                          "these rigs simulate, or `[gap] effects` lists it",
-                                         name));
-        if (typical && !(*typical > 0))
+                                         one.name));
+        if (one.typical && !(*one.typical > 0))
             throw InputError(fmt::format("`{}={}`: a typical amplitude is above 0; the effect has its sign",
-                                         name, *typical));
+                                         one.name, *one.typical));
         effects.push_back(*found);
-        effects.back().effect.typical = typical.value_or(found->effect.typical);
+        effects.back().effect.typical = one.typical.value_or(found->effect.typical);
     }
     return effects;
 }
