@@ -143,7 +143,7 @@ gap::OutsideEffect outside_effect(std::string const& text)
     auto const sign = text.find('=');
     if (sign == std::string::npos)
         return {text};
-    double amplitude;
+    double amplitude = 0;
     if (!CLI::detail::lexical_cast(text.substr(sign + 1), amplitude))
         throw InputError(fmt::format("--outside {}: `{}` is no amplitude", text, text.substr(sign + 1)));
     return {text.substr(0, sign), amplitude};
