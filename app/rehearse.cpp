@@ -79,11 +79,12 @@ gap::CaseTruth sealed_truth(Drawing const& drawing, std::string const& name)
 //! A case that cannot be measured was not drawn.
 void take_back(fs::path const& folder, std::string const& name)
 {
+    // The seal last: whoever is stopped here draws a new truth, never keeps one that has no seal.
+    for (auto const* ending : {".json", ".h5", ".h5.lock", ".h5.parts"})
+        fs::remove_all(folder / "truth" / (name + ending));
     auto seals = read_json(folder / "seals.json");
     seals.erase(name);
     write(folder / "seals.json", seals.dump(1) + "\n");
-    for (auto const* ending : {".json", ".h5", ".h5.lock", ".h5.parts"})
-        fs::remove_all(folder / "truth" / (name + ending));
 }
 
 void write_case(Drawing const& drawing, std::string const& name, std::string const& text)

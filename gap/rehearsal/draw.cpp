@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <numeric>
 #include <random>
@@ -70,9 +71,10 @@ std::vector<CandidateEffect> chosen(std::vector<CandidateEffect> const& beside,
             throw InputError(fmt::format("`{}` cannot be drawn from outside the list: it is no effect that "
                                          "these rigs simulate, or `[gap] effects` lists it",
                                          one.name));
-        if (one.typical && !(*one.typical > 0))
-            throw InputError(fmt::format("`{}={}`: a typical amplitude is above 0; the effect has its sign",
-                                         one.name, *one.typical));
+        if (one.typical && !(*one.typical > 0 && std::isfinite(*one.typical)))
+            throw InputError(
+                fmt::format("`{}={}`: a typical amplitude is above 0 and finite; the effect has its sign",
+                            one.name, *one.typical));
         effects.push_back(*found);
         effects.back().effect.typical = one.typical.value_or(found->effect.typical);
     }

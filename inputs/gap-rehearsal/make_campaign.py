@@ -2,12 +2,13 @@
 """Writes the campaign of the rehearsal: a drum at three speeds and one held out, two slots of a draw down and one held out, about 1,000 grains.
 
 usage: make_campaign.py CAMPAIGN.toml [BANK.h5]
+       make_campaign.py --outside     prints what is drawn from outside the list
 """
 import sys
 
 output, bank = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else ""
 # Speed [1/min], turns that are left out, turns that are measured, samples a turn; standard deviations of the means of three runs, a little above
-# those between packings of the base model over the root of three (12 points of the factors): of angle, area, energy, avalanche energy.
+# those between packings of the base model over the root of three (12 points of the factors; held-out ones as their neighbours): of angle, area, energy, avalanche energy.
 drums = {
     "drum_10rpm": (10, 0.22, 0.8, 1200, (0.29, 0.09, 0.55, 0.7)),
     "drum_15rpm": (15, 0.28, 0.9, 800, (0.21, 0.07, 0.45, 0.8)),
@@ -22,7 +23,7 @@ slots = {
     "slot_28mm": (28, (0.7, 3.0, 0.0045, 0.00015, 5.0)),
 }
 slot_responses = ("angle_of_repose_deg", "shear_angle_deg", "mass_flow_kg_s", "final_mass_kg", "bulk_density_kg_m3")
-# What the diagnosis knows, with typical amplitudes of some eight sigmas by `gap plan`: at half of them an effect is near what can be seen at all.
+# What the diagnosis knows, with typical amplitudes of six to eleven sigmas by a first `gap plan`: at half of them an effect is near what can be seen at all.
 listed = {
     "fill_mass": 0.02, "fines": 0.2, "lean": 2.0, "cover_friction": 0.45, "vibration": 0.3, "shape": 0.25, "cover_motion": 0.35, "liquid_bridges": 0.2,
     "slot_width": 0.06, "friction_drift": 0.07,
